@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interpolation.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "fixed.hpp"
+#include "samples.hpp"
+
+namespace halfspace {
+namespace {
+
+// Width of the perspective divider's operands after normalisation.
+constexpr int kQuotientBits = 16;
+
+// floor(numerator 2^shift / denominator) modulo 2^64. The quotient of a sliver may be far wider;
+// its low bits are all that later sums use.
+std::uint64_t gradient(std::int64_t numerator, int shift, std::int64_t denominator) {
+  return static_cast<std::uint64_t>(
+      floor_div(static_cast<__int128>(numerator) << shift, denominator));
+}
+
+// The plane through three vertex values (units): vertex i is opposite edge (i + 1) mod 3, so its
+// weight changes by A of that edge over the doubled area.
+Plane make_plane(const std::array<std::int64_t, 3>& value, const SetupTriangle& setup,
+                 std::int64_t area, const Config& config) {
+  // The slopes of all edges sum to zero, so differences to vertex 0 suffice.
+  const std::int64_t d1 = value[1] - value[0];
+  const std::int64_t d2 = value[2] - value[0];
+  const int shift = config.subpixel_bits + config.gradient_bits;
+  return {static_cast<std::uint64_t>(value[0]) << config.gradient_bits,
+          gradient(d1 * setup.slope[2].a + d2 * setup.slope[0].a, shift, area),
+          gradient(d1 * setup.slope[2].b + d2 * setup.slope[0].b, shift, area)};
+}
+
+// a / 256 * inverse_w in units: U8.8 times U0.30, rounded to nearest.
+std::int64_t over_w(std::uint16_t value, std::int64_t inverse_w_units) {
+  constexpr int kShift = 8 + kAttributeFractionBits;
+  return (std::int64_t{value} * inverse_w_units + (std::int64_t{1} << (kShift - 1))) >> kShift;
+}
+
+}  // namespace
+
+InterpolationSetup interpolation_setup(const SetupTriangle& setup, const Triangle& triangle,
+                                       const std::array<VertexAttributes, 3>& attributes, int count,
+                                       const Config& config) {
+  HS_CHECK(count >= 0 && count <= config.attributes);
+  // The cross product of two edges; negating both, as setup does, leaves its sign.
+  const std::int64_t cross = std::int64_t{setup.slope[0].a} * setup.slope[1].b -
+                             std::int64_t{setup.slope[0].b} * setup.slope[1].a;
+  const std::int64_t area = setup.flipped ? -cross : cross;
+  HS_CHECK(area > 0);
+  const int depth_shift = kPlaneBits - config.depth_bits - kDepthFractionBits;
+  const int inverse_w_shift = kPlaneBits - config.inverse_w_bits;
+
+  InterpolationSetup out;
+  out.origin = triangle.vertex[0];
+  std::array<std::int64_t, 3> depth{};
+  std::array<std::int64_t, 3> inverse_w{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    HS_CHECK(attributes[i].depth >> (config.depth_bits + kDepthFractionBits) == 0);
+    depth[i] = std::int64_t{attributes[i].depth} << depth_shift;
+    if (count == 0) continue;
+    HS_CHECK(attributes[i].inverse_w >= 1 && attributes[i].inverse_w >> config.inverse_w_bits == 0);
+    inverse_w[i] = std::int64_t{attributes[i].inverse_w} << inverse_w_shift;
+  }
+  out.depth = make_plane(depth, setup, area, config);
+  if (count == 0) return out;
+  out.inverse_w = make_plane(inverse_w, setup, area, config);
+  for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) {
+    std::array<std::int64_t, 3> value{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      HS_CHECK(attributes[i].value[n] <= 255u << kAttributeFractionBits);
+      value[i] = over_w(attributes[i].value[n], inverse_w[i]);
+    }
+    out.attribute[n] = make_plane(value, setup, area, config);
+  }
+  return out;
+}
+
+TilePlane tile_plane(const Plane& plane, Point origin, std::int32_t x, std::int32_t y,
+                     const Config& config) {
+  const int f = config.position_bits();
+  const int up = f - config.subpixel_bits;
+  // From vertex 0 to the first pixel's centre, S.f px.
+  const auto distance = [f, up](std::int32_t pixel, std::int32_t vertex) {
+    return (std::int64_t{pixel} << f) + (std::int64_t{1} << (f - 1)) - (std::int64_t{vertex} << up);
+  };
+  const std::uint64_t sum = plane.dx * static_cast<std::uint64_t>(distance(x, origin.x)) +
+                            plane.dy * static_cast<std::uint64_t>(distance(y, origin.y));
+  const auto floor_mod = [](std::uint64_t value, int shift) {
+    return static_cast<std::uint64_t>(floor_shift(static_cast<std::int64_t>(value), shift));
+  };
+  const int F = config.gradient_bits;
+  const std::uint64_t half = F > 0 ? std::uint64_t{1} << (F - 1) : 0;
+  return {static_cast<std::uint32_t>(floor_mod(plane.at_vertex0 + floor_mod(sum, f), F)),
+          static_cast<std::uint32_t>(floor_mod(plane.dx + half, F)),
+          static_cast<std::uint32_t>(floor_mod(plane.dy + half, F))};
+}
+
+std::uint32_t sample_delta(const Plane& plane, int sample, const Config& config) {
+  if (config.samples == 1) return 0;
+  const SamplePosition p = sample_positions(config.samples)[static_cast<std::size_t>(sample)];
+  const std::uint64_t sum = plane.dx * static_cast<std::uint64_t>(std::int64_t{p.x} - 8) +
+                            plane.dy * static_cast<std::uint64_t>(std::int64_t{p.y} - 8);
+  return static_cast<std::uint32_t>(
+      floor_shift(static_cast<std::int64_t>(sum), config.gradient_bits + 4));
+}
+
+std::uint32_t depth_value(std::int32_t units, const Config& config) {
+  const int shift = kPlaneBits - config.depth_bits;
+  const std::int64_t rounded =
+      floor_shift(std::int64_t{units} + (std::int64_t{1} << (shift - 1)), shift);
+  const std::int64_t greatest = (std::int64_t{1} << config.depth_bits) - 1;
+  return static_cast<std::uint32_t>(std::clamp<std::int64_t>(rounded, 0, greatest));
+}
+
+std::uint32_t reciprocal(std::uint32_t mantissa, const Config& config) {
+  const int R = config.reciprocal_bits;
+  HS_CHECK(mantissa >> (R - 1) == 1);
+  return static_cast<std::uint32_t>((std::uint64_t{1} << (2 * R)) / (2 * mantissa + 1));
+}
+
+std::uint8_t perspective(std::int32_t attribute, std::int32_t inverse_w, const Config& config) {
+  const int R = config.reciprocal_bits;
+  const auto u = static_cast<std::uint32_t>(std::max(inverse_w, 1));
+  const auto p = static_cast<std::uint32_t>(std::clamp(attribute, 0, static_cast<std::int32_t>(u)));
+  // Both shifted alike, so that 1/w has its top bit at 2^31: then cut to 16 and to R bits.
+  const int up = std::countl_zero(u);
+  const std::uint32_t numerator = (p << up) >> (32 - kQuotientBits);
+  const std::uint32_t r = reciprocal((u << up) >> (32 - R), config);
+  const int shift = R + kQuotientBits - 1 - 8;
+  const std::uint64_t product = std::uint64_t{numerator} * r + (std::uint64_t{1} << (shift - 1));
+  return static_cast<std::uint8_t>(std::min<std::uint64_t>(product >> shift, 255));
+}
+
+}  // namespace halfspace

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What travels between the stages: one struct per arrow of the data flow, same fields in the same
+// order as the packed structs of rtl/hs_pkg.sv. Formats name the derived widths of Config.
+// s = subpixel_bits, q = sample_bits().
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace halfspace {
+
+// Which triangles triangle_setup drops by the way they face. A front face winds counter-clockwise
+// as seen on the screen (y down: its doubled area is negative).
+enum class Cull : std::uint8_t { kNone, kBack, kFront };
+
+// State that holds for a whole frame; registers in the RTL, changed only while it is empty.
+struct FrameState {
+  int width = 0;   // pixels, 1..2^viewport_bits
+  int height = 0;  // pixels, 1..2^viewport_bits
+  Cull cull = Cull::kNone;
+};
+
+// A snapped position: x right, y down, origin at the frame's top-left corner. S.s px,
+// vertex_bits().
+struct Point {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  bool operator==(const Point&) const = default;
+};
+
+// Host to triangle_setup. Coordinates must be in [coordinate_min(), coordinate_max()]: the host
+// clips or refuses, setup checks.
+struct Triangle {
+  std::array<Point, 3> vertex;
+  std::uint32_t tag = 0;  // tag_bits; the host numbers triangles in submission order
+  bool operator==(const Triangle&) const = default;
+};
+
+inline constexpr int kMaxAttributes = 8;
+inline constexpr int kDepthFractionBits = 6;  // of a vertex's depth below the depth buffer's LSB
+inline constexpr int kAttributeFractionBits = 8;  // of a vertex's attribute below one level of 255
+
+// What interpolation needs at one vertex; made by the host, checked by interpolation_setup().
+struct VertexAttributes {
+  std::uint32_t depth = 0;      // U<depth_bits>.6: window depth 0..1 times 2^depth_bits - 1
+  std::uint32_t inverse_w = 0;  // U0.<inverse_w_bits>, scaled by one power of two per triangle so
+                                // that the greatest of the three has its top bit set; never 0
+  std::array<std::uint16_t, kMaxAttributes> value{};  // U8.8: 0..255 in units of 1/256
+  bool operator==(const VertexAttributes&) const = default;
+};
+
+// geometry to triangle_setup and interpolation.
+struct ShadedTriangle {
+  Triangle triangle;
+  std::array<VertexAttributes, 3> attributes;
+  bool operator==(const ShadedTriangle&) const = default;
+};
+
+// Pixels first..last in each direction, both included; inside the frame, never empty.
+struct Box {
+  std::int32_t x_first = 0;
+  std::int32_t y_first = 0;
+  std::int32_t x_last = 0;
+  std::int32_t y_last = 0;
+  bool operator==(const Box&) const = default;
+};
+
+// The slopes of one edge function, inside positive: E(x + 1 px, y) = E + a 2^q.
+struct EdgeSlope {
+  std::int32_t a = 0;  // S.s px, delta_bits()
+  std::int32_t b = 0;  // S.s px, delta_bits()
+  bool operator==(const EdgeSlope&) const = default;
+};
+
+// triangle_setup to tile_traversal. Edge i runs from vertex i to vertex (i + 1) mod 3 of the
+// submitted triangle, negated when the triangle was clockwise the other way (`flipped`).
+struct SetupTriangle {
+  std::array<EdgeSlope, 3> slope;
+  // Biased edge values at the root's origin: pixel (0,0)'s centre for one sample, its top-left
+  // corner otherwise. S.(s+q) px^2, node_bits(root), saturated.
+  std::array<std::int64_t, 3> e{};
+  Box box;
+  bool flipped = false;  // the doubled area was negative: A, B, C were negated
+  std::uint32_t tag = 0;
+  bool operator==(const SetupTriangle&) const = default;
+};
+
+// One node of the pyramid on its way down, and, at the leaf level, the tile handed to coverage.
+struct Node {
+  std::int32_t x = 0;  // pixel column of the node's origin, a multiple of its side
+  std::int32_t y = 0;
+  std::array<std::int64_t, 3> e{};  // S.(s+q) px^2 at the origin, node_bits(side), saturated
+  bool operator==(const Node&) const = default;
+};
+
+// Lane j * grid + i of a grid, i right and j down. A 4x4 grid uses the low 16 bits.
+using GridMask = std::uint64_t;
+
+inline constexpr int kMaxSamples = 16;
+
+// coverage to interpolation: one tile of one triangle, at least one bit set.
+struct CoverageTile {
+  std::int32_t x = 0;  // pixel column of the tile's first pixel
+  std::int32_t y = 0;
+  std::array<GridMask, kMaxSamples> mask{};  // one per sample; those beyond Config::samples are 0
+  std::uint32_t tag = 0;
+  bool operator==(const CoverageTile&) const = default;
+};
+
+}  // namespace halfspace

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The only place that knows the order of the stages.
+// Twin: rtl/hs_rasterizer.sv (triangle_setup, tile_traversal, coverage).
+#pragma once
+
+#include <array>
+#include <bit>
+
+#include "config.hpp"
+#include "coverage.hpp"
+#include "depth_test.hpp"
+#include "framebuffer.hpp"
+#include "hit_count.hpp"
+#include "interpolation.hpp"
+#include "packets.hpp"
+#include "tile_traversal.hpp"
+#include "triangle_setup.hpp"
+
+namespace halfspace {
+
+// What the stages did; sums over everything drawn. `tiles_visited` are leaf tiles tested,
+// `tiles_covered` those of them that hold a covered sample.
+struct RasterStats {
+  std::uint64_t triangles = 0;
+  std::uint64_t triangles_zero_area = 0;
+  std::uint64_t triangles_culled = 0;
+  std::uint64_t triangles_no_sample = 0;  // the box holds no sample: dropped before traversal
+  TraversalCount traversal;               // nodes tested per level, root first
+  std::uint64_t tiles_visited = 0;
+  std::uint64_t tiles_covered = 0;
+  std::uint64_t samples_tested = 0;  // lanes x samples of every visited tile
+  std::uint64_t samples_covered = 0;
+  std::uint64_t fragments = 0;         // covered pixels of covered tiles, before the depth test
+  std::uint64_t fragments_shaded = 0;  // of those, with a sample that passed: attributes evaluated
+
+  RasterStats& operator+=(const RasterStats& other);
+};
+
+// Adds one triangle that triangle_setup dropped to the counts.
+inline void count_drop(SetupOutcome outcome, RasterStats& stats) {
+  stats.triangles_zero_area += outcome == SetupOutcome::kZeroArea ? 1u : 0u;
+  stats.triangles_culled += outcome == SetupOutcome::kCulled ? 1u : 0u;
+  stats.triangles_no_sample += outcome == SetupOutcome::kNoSample ? 1u : 0u;
+}
+
+// Adds one covered tile to the counts.
+inline void count_tile(const CoverageTile& tile, RasterStats& stats) {
+  ++stats.tiles_covered;
+  GridMask any = 0;
+  for (const GridMask mask : tile.mask) {
+    any |= mask;
+    stats.samples_covered += static_cast<std::uint64_t>(std::popcount(mask));
+  }
+  stats.fragments += static_cast<std::uint64_t>(std::popcount(any));
+}
+
+// One triangle through triangle_setup, tile_traversal and coverage.
+//
+//   triangle, frame, config  as triangle_setup()
+//   stats                    added to
+//   setup                    called with the SetupTriangle once, if it survives, before any tile
+//   visit                    called with every Node tested, its level and, for a leaf tile,
+//                            whether it was covered (true above the leaf level)
+//   tile                     called with every CoverageTile, in the order of the RTL
+template <class Setup, class Visit, class Tile>
+void rasterize(const Triangle& triangle, const FrameState& frame, const Config& config,
+               RasterStats& stats, Setup&& setup, Visit&& visit, Tile&& tile) {
+  ++stats.triangles;
+  SetupOutcome outcome = SetupOutcome::kDrawn;
+  const std::optional<SetupTriangle> ready = triangle_setup(triangle, frame, config, &outcome);
+  if (!ready) {
+    count_drop(outcome, stats);
+    return;
+  }
+  setup(*ready);
+  const int leaf_level = config.levels() - 1;
+  visit_nodes(root_node(*ready), 0, *ready, config, [&](const Node& node, int level) {
+    ++stats.traversal.nodes[static_cast<std::size_t>(level)];
+    if (level != leaf_level) {
+      visit(node, level, true);
+      return;
+    }
+    ++stats.tiles_visited;
+    stats.samples_tested += static_cast<std::uint64_t>(config.lanes() * config.samples);
+    const std::optional<CoverageTile> covered = coverage(node, *ready, config);
+    visit(node, level, covered.has_value());
+    if (!covered) return;
+    count_tile(*covered, stats);
+    tile(*covered);
+  });
+}
+
+// The same for callers that want only the covered tiles.
+template <class Tile>
+void rasterize(const Triangle& triangle, const FrameState& frame, const Config& config,
+               RasterStats& stats, Tile&& tile) {
+  rasterize(
+      triangle, frame, config, stats, [](const SetupTriangle&) {}, [](const Node&, int, bool) {},
+      std::forward<Tile>(tile));
+}
+
+// The whole pipeline at level bit: coverage, then depth, then, where depth passed, attributes
+// into the framebuffer.
+class Rasterizer {
+ public:
+  // config: legal. frame: 1..2^viewport_bits a side. background: colour where nothing is drawn.
+  Rasterizer(const FrameState& frame, const Config& config, DepthFunction depth_function,
+             Rgb background);
+
+  // Draws one triangle: attributes 0..2 are red, green and blue (missing ones are 0). Coverage is
+  // also added to hit_count().
+  void draw(const ShadedTriangle& triangle);
+
+  const Framebuffer& framebuffer() const { return framebuffer_; }
+  const RasterStats& stats() const { return stats_; }
+  const HitCount& hit_count() const { return hit_count_; }
+
+ private:
+  void draw_tile(const CoverageTile& tile, const SetupTriangle& setup,
+                 const ShadedTriangle& triangle);
+  void shade(const CoverageTile& tile, const std::array<GridMask, kMaxSamples>& passed,
+             FrameTile& stored);
+  Rgb color_at(int lane, int sample) const;
+
+  FrameState frame_;
+  Config config_;
+  DepthFunction depth_function_;
+  Framebuffer framebuffer_;
+  HitCount hit_count_;
+  RasterStats stats_;
+
+  // The triangle being drawn: planes with attributes once a fragment passed, without before.
+  bool has_depth_ = false;
+  bool has_attributes_ = false;
+  InterpolationSetup planes_;
+  int colors_;
+  TilePlane inverse_w_;  // of the tile being shaded
+  std::array<TilePlane, 3> attribute_;
+};
+
+}  // namespace halfspace
