@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The one way a user's mistake is reported: a code with a page in docs/02_use/errors.md, the place
+// and one line of text. The CLI prints `halfspace: error[HSnnn]: PLACE: TEXT` and exits 2.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace halfspace {
+
+// Numbers are stable; a retired one is never reused. docs/02_use/errors.md has a section for each,
+// and tests/check_tree.py fails when one is missing.
+enum class ErrorCode : int {
+  kUsage = 1,           // unknown option, missing argument
+  kConfigRead = 2,      // configuration file missing or not JSON
+  kConfigKey = 3,       // unknown key
+  kConfigRange = 4,     // value out of range or of the wrong type
+  kSize = 5,            // frame size zero, or beyond the configuration
+  kFileRead = 10,       // missing or unreadable input
+  kMeshBroken = 11,     // not parseable, truncated
+  kMeshEmpty = 12,      // no triangles
+  kMeshNotFinite = 13,  // NaN or infinity in a vertex
+  kMeshIndex = 14,      // a face names a vertex that is not there
+  kTcovBroken = 20,     // TCOV syntax
+  kTcovRange = 21,      // a vertex beyond the configuration's coordinate range
+  kFileWrite = 30,      // cannot create, write or rename the output
+  kLevel = 40,          // level not available in this build
+  kScene = 41,          // the scene does not fit the request (camera, case number, ...)
+  kInterrupted = 50,    // Ctrl-C
+  kInternal = 99,       // a check failed: a bug in Halfspace
+};
+
+class Error : public std::runtime_error {
+ public:
+  // place: "FILE", "FILE:LINE", an option, or empty. text: what and why, one line.
+  Error(ErrorCode code, const std::string& place, const std::string& text)
+      : std::runtime_error(place.empty() ? text : place + ": " + text), code_(code) {}
+  ErrorCode code() const { return code_; }
+
+ private:
+  ErrorCode code_;
+};
+
+}  // namespace halfspace

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output_file.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <utility>
+
+#include "error.hpp"
+#include "interrupt.hpp"
+
+namespace halfspace {
+
+namespace fs = std::filesystem;
+
+OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+  std::error_code ignored;
+  if (fs::is_directory(path_, ignored)) {
+    throw Error(ErrorCode::kFileWrite, path_, "cannot write: it is a directory");
+  }
+  temporary_ = path_ + ".partial-" + std::to_string(::getpid());
+  // A device such as /dev/full or /dev/stdout is written in place: there is nothing to rename.
+  if (fs::exists(path_, ignored) && !fs::is_regular_file(path_, ignored)) temporary_ = path_;
+  file_ = std::fopen(temporary_.c_str(), "wb");
+  if (file_ == nullptr) {
+    throw Error(ErrorCode::kFileWrite, path_, std::string("cannot write: ") + std::strerror(errno));
+  }
+  if (temporary_ != path_) remove_on_interrupt(temporary_);
+}
+
+OutputFile::~OutputFile() {
+  if (file_ == nullptr) return;
+  std::fclose(file_);
+  if (temporary_ != path_) std::remove(temporary_.c_str());
+  remove_on_interrupt({});
+}
+
+void OutputFile::fail(const char* what) {
+  throw Error(ErrorCode::kFileWrite, path_, std::string(what) + ": " + std::strerror(errno));
+}
+
+void OutputFile::write(std::string_view bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) fail("cannot write");
+}
+
+void OutputFile::commit() {
+  if (std::fflush(file_) != 0 || std::ferror(file_) != 0) fail("cannot write");
+  const int closed = std::fclose(file_);
+  file_ = nullptr;
+  if (closed != 0) {
+    if (temporary_ != path_) std::remove(temporary_.c_str());
+    fail("cannot write");
+  }
+  if (temporary_ != path_ && std::rename(temporary_.c_str(), path_.c_str()) != 0) {
+    std::remove(temporary_.c_str());
+    fail("cannot rename the finished file into place");
+  }
+  remove_on_interrupt({});
+}
+
+void check_writable(const std::string& path) { OutputFile probe(path); }
+
+std::string read_file(const std::string& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) {
+    throw Error(ErrorCode::kFileRead, path, "cannot read: it is a directory");
+  }
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             &std::fclose);
+  if (!file) {
+    throw Error(ErrorCode::kFileRead, path, std::string("cannot read: ") + std::strerror(errno));
+  }
+  std::string text;
+  std::array<char, 1 << 16> buffer;
+  while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
+    text.append(buffer.data(), got);
+  }
+  if (std::ferror(file.get()) != 0) {
+    throw Error(ErrorCode::kFileRead, path, std::string("cannot read: ") + std::strerror(errno));
+  }
+  return text;
+}
+
+}  // namespace halfspace

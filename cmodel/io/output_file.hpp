@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace halfspace {
+
+// A file that is whole or not there: written beside its destination under a temporary name and
+// renamed by commit(). Destroyed without commit(), it leaves nothing behind.
+// Every failure throws Error(kFileWrite) that names the destination and the reason.
+class OutputFile {
+ public:
+  explicit OutputFile(std::string path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  void write(std::string_view bytes);
+  std::FILE* stream() { return file_; }  // for libraries that write to a stream
+  void commit();
+
+ private:
+  [[noreturn]] void fail(const char* what);
+
+  std::string path_;
+  std::string temporary_;
+  std::FILE* file_ = nullptr;
+};
+
+// Throws Error(kFileWrite) when path could not be created: asked before long work starts.
+void check_writable(const std::string& path);
+
+// The whole of a file. Throws Error(kFileRead).
+std::string read_file(const std::string& path);
+
+}  // namespace halfspace

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stats_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "config_json.hpp"
+#include "output_file.hpp"
+
+namespace halfspace {
+
+nlohmann::ordered_json stats_json(const RunStats& stats, const Config& config) {
+  const RasterStats& r = stats.raster;
+  const GeometryStats& g = stats.geometry;
+  nlohmann::ordered_json json;
+  json["command"] = stats.command;
+  json["level"] = stats.level;
+  json["cases"] = stats.cases;
+  json["triangles"] = g.triangles_in;
+  json["triangles_culled"] = g.dropped_not_finite + g.outside + r.triangles_zero_area +
+                             r.triangles_culled + r.triangles_no_sample;
+  json["triangles_not_finite"] = g.dropped_not_finite;
+  json["triangles_outside"] = g.outside;
+  json["triangles_clipped"] = g.clipped;
+  json["triangles_to_setup"] = r.triangles;
+  json["triangles_zero_area"] = r.triangles_zero_area;
+  json["triangles_face_culled"] = r.triangles_culled;
+  json["triangles_no_sample"] = r.triangles_no_sample;
+  json["tiles_visited"] = r.tiles_visited;
+  json["tiles_covered"] = r.tiles_covered;
+  json["tiles_touched"] = stats.tiles_touched;
+  const int levels = config.levels();
+  json["nodes_per_level"] =
+      std::vector<std::uint64_t>(r.traversal.nodes.begin(), r.traversal.nodes.begin() + levels);
+  json["samples_tested"] = r.samples_tested;
+  json["samples_covered"] = r.samples_covered;
+  json["fragments"] = r.fragments;
+  json["fragments_shaded"] = r.fragments_shaded;
+  json["coordinates_resnapped"] = stats.resnapped;
+  json["coverage_crc32"] = stats.crc;
+  json["wall_seconds"] = stats.wall_seconds;
+  json["simulate_seconds"] = stats.simulate_seconds;
+  json["config"] = config_json(config);
+  return json;
+}
+
+void write_stats(const std::string& path, const RunStats& stats, const Config& config) {
+  OutputFile file(path);
+  file.write(stats_json(stats, config).dump(2) + "\n");
+  file.commit();
+}
+
+}  // namespace halfspace

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "../config.hpp"
+#include "../geometry.hpp"
+#include "../rasterizer.hpp"
+
+namespace halfspace {
+
+// What one run did, as written by --stats. Fields and their meaning: docs/02_use/stats.md.
+struct RunStats {
+  std::string command;
+  std::string level;
+  GeometryStats geometry;
+  RasterStats raster;
+  std::uint64_t cases = 0;          // frames rendered: 1, or the TCOV file's cases
+  std::uint64_t resnapped = 0;      // TCOV coordinates finer than the configuration's subpixels
+  std::uint64_t tiles_touched = 0;  // framebuffer tiles that got storage
+  std::uint32_t crc = 0;            // CRC-32 of the hit counts of all frames, in order
+  double simulate_seconds = 0;      // without loading and writing files
+  double wall_seconds = 0;
+};
+
+nlohmann::ordered_json stats_json(const RunStats& stats, const Config& config);
+
+// Throws Error(kFileWrite).
+void write_stats(const std::string& path, const RunStats& stats, const Config& config);
+
+}  // namespace halfspace
