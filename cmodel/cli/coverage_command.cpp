@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// halfspace coverage: triangles of a TCOV file in, hit counts of every pixel out.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+
+#include "../batch/coverage_batch.hpp"
+#include "../io/error.hpp"
+#include "../io/output_file.hpp"
+#include "../io/stats_json.hpp"
+#include "../io/tcov.hpp"
+#include "command.hpp"
+#include "progress.hpp"
+
+namespace halfspace {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct CoverageOptions {
+  std::string in;
+  std::string out;
+  std::string stats;
+  std::string level = "bit";
+  std::string cull = "none";
+  ConfigOptions config;
+};
+
+// The case with its hit counts computed.
+TcovCase run_case(const TcovCase& source, Level level, Cull cull, const Config& config,
+                  const std::string& place, RunStats& stats) {
+  const TcovTriangles input = tcov_triangles(source, config, place);
+  const FrameState frame{source.width, source.height, cull};
+  HitCount hits(frame.width, frame.height);
+  const auto add = [&](const CoverageTile& tile) { hits.add(tile, config); };
+  const Clock::time_point start = Clock::now();
+  for (const Triangle& triangle : input.triangles) {
+    if (level == Level::kCoverage) {
+      cover(triangle, frame, config, stats.raster, add);
+    } else {
+      rasterize(triangle, frame, config, stats.raster, add);
+    }
+  }
+  stats.simulate_seconds += std::chrono::duration<double>(Clock::now() - start).count();
+  stats.resnapped += input.resnapped;
+  stats.geometry.triangles_in += input.triangles.size();
+  stats.crc = crc32_of(hits.count(), stats.crc);
+  ++stats.cases;
+  TcovCase out = source;
+  out.hits = hits.count();
+  return out;
+}
+
+void run_coverage(const CoverageOptions& options) {
+  const Clock::time_point start = Clock::now();
+  const Level level = parse_level(options.level);
+  const Cull cull = parse_cull(options.cull);
+  const Config config = options.config.load();
+  const std::vector<TcovCase> cases = read_tcov(options.in);
+  if (cases.empty()) throw Error(ErrorCode::kScene, options.in, "has no cases");
+  check_writable(options.out);
+  if (!options.stats.empty()) check_writable(options.stats);
+
+  RunStats stats;
+  stats.command = "coverage";
+  stats.level = options.level;
+  std::vector<TcovCase> results;
+  {
+    Progress progress("covering cases", cases.size());
+    for (const TcovCase& source : cases) {
+      results.push_back(run_case(source, level, cull, config, options.in, stats));
+      progress.advance();
+    }
+  }
+  if (stats.resnapped != 0) {
+    fmt::print(stderr,
+               "halfspace: note: {} coordinates are finer than 1/{} px and were snapped again\n",
+               stats.resnapped, 1 << config.subpixel_bits);
+  }
+  write_tcov(options.out, results);
+  stats.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  if (!options.stats.empty()) write_stats(options.stats, stats, config);
+}
+
+}  // namespace
+
+Action add_coverage_command(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("coverage", "Compute the hit counts of a TCOV file's triangles");
+  auto options = std::make_shared<CoverageOptions>();
+  command->add_option("IN", options->in, "TCOV file (coordinates in 1/256 px)")->required();
+  command->add_option("--out", options->out, "TCOV file to write")->required();
+  command->add_option("--stats", options->stats, "JSON statistics to write");
+  command->add_option("--level", options->level, "coverage, bit, cycle or rtl")
+      ->capture_default_str();
+  add_cull_option(*command, options->cull);
+  options->config.add_to(*command);
+  command->footer("Example: halfspace coverage tests/data/public.tcov --out out/public.tcov");
+  return [options] { run_coverage(*options); };
+}
+
+}  // namespace halfspace

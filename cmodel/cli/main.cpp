@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The halfspace program. Results go to files or stdout, talk to stderr. Exit status: 0 done, 1 a
+// comparison failed, 2 bad input or an interrupted run.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <new>
+
+#include "../io/error.hpp"
+#include "../io/interrupt.hpp"
+#include "command.hpp"
+
+namespace {
+
+int fail(halfspace::ErrorCode code, const std::string& text) {
+  // One line, whatever a library put into its message.
+  std::string line = text.substr(0, text.find('\n'));
+  fmt::print(stderr, "halfspace: error[HS{:03}]: {}\n", static_cast<int>(code), line);
+  return 2;
+}
+
+int run(int argc, char** argv) {
+  CLI::App program{"Halfspace: a bit- and cycle-accurate model of a triangle rasterizer"};
+  program.name("halfspace");
+  program.set_version_flag("--version", std::string("halfspace ") + HALFSPACE_VERSION);
+  program.require_subcommand(1);
+  std::vector<std::pair<std::string, halfspace::Action>> actions;
+  actions.emplace_back("render", halfspace::add_render_command(program));
+  actions.emplace_back("coverage", halfspace::add_coverage_command(program));
+  actions.emplace_back("config", halfspace::add_config_command(program));
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    return program.exit(help);
+  } catch (const CLI::CallForVersion& version) {
+    return program.exit(version);
+  } catch (const CLI::RequiredError& error) {
+    // CLI11 takes a word that is no subcommand for a missing one.
+    if (program.get_subcommands().empty() && argc > 1 && argv[1][0] != '-') {
+      return fail(halfspace::ErrorCode::kUsage,
+                  fmt::format("'{:.40}' is not a subcommand (try --help)", argv[1]));
+    }
+    return fail(halfspace::ErrorCode::kUsage, std::string(error.what()) + " (try --help)");
+  } catch (const CLI::ParseError& error) {
+    return fail(halfspace::ErrorCode::kUsage, std::string(error.what()) + " (try --help)");
+  }
+  for (const auto& [name, action] : actions) {
+    if (program.got_subcommand(name)) action();
+  }
+  if (std::fflush(stdout) != 0) {
+    return fail(halfspace::ErrorCode::kFileWrite, "cannot write to standard output");
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  halfspace::handle_interrupts();
+  try {
+    return run(argc, argv);
+  } catch (const halfspace::Error& error) {
+    return fail(error.code(), error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(halfspace::ErrorCode::kScene, "not enough memory");
+  } catch (const std::exception& error) {
+    return fail(halfspace::ErrorCode::kInternal, error.what());
+  }
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace halfspace {
+
+// "drawing triangles  1200/3674  33%  1.2M/s  0.4 s left" on stderr, when that is a terminal and
+// the work takes longer than half a second; silent otherwise. Erased when done.
+class Progress {
+ public:
+  Progress(std::string what, std::uint64_t total);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  // Call as often as convenient; looks at the clock every 256 calls.
+  void advance(std::uint64_t done_now = 1) {
+    done_ += done_now;
+    if ((++calls_ & 255u) == 0) show();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void show();
+
+  std::string what_;
+  std::uint64_t total_;
+  std::uint64_t done_ = 0;
+  std::uint64_t calls_ = 0;
+  bool terminal_;
+  bool shown_ = false;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point last_ = start_;
+};
+
+}  // namespace halfspace

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// halfspace render: a scene in, a picture and its statistics out.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <sstream>
+
+#include "../batch/coverage_batch.hpp"
+#include "../io/error.hpp"
+#include "../io/output_file.hpp"
+#include "../io/png_file.hpp"
+#include "../io/tcov.hpp"
+#include "command.hpp"
+#include "pictures.hpp"
+#include "scene.hpp"
+
+namespace halfspace {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+enum class Shade { kFlat, kGouraud, kDepth, kCoverage, kTiles };
+
+struct RenderOptions {
+  std::string scene;
+  std::string out;
+  std::string size;  // empty: 640x480, less where the configuration is smaller
+  std::string level = "bit";
+  std::string stats;
+  std::string trace;
+  std::string cull = "none";
+  std::string shade;
+  std::string depth_test = "less";
+  std::string eye, target, up;
+  double fov = 0;
+  double ortho = -1;
+  int case_id = -1;
+  ConfigOptions config;
+};
+
+Shade parse_shade(const RenderOptions& options, Level level) {
+  if (level == Level::kCoverage) {
+    if (options.shade.empty() || options.shade == "coverage") return Shade::kCoverage;
+    throw Error(ErrorCode::kUsage, "--shade",
+                "level coverage computes no depth, colour or tile order: only --shade coverage");
+  }
+  const std::string& name = options.shade;
+  if (name.empty() || name == "gouraud") return Shade::kGouraud;
+  if (name == "flat") return Shade::kFlat;
+  if (name == "depth") return Shade::kDepth;
+  if (name == "coverage") return Shade::kCoverage;
+  if (name == "tiles") return Shade::kTiles;
+  throw Error(ErrorCode::kUsage, "--shade",
+              fmt::format("'{}' is not flat, gouraud, depth, coverage or tiles", name));
+}
+
+DepthFunction parse_depth_test(const std::string& name) {
+  if (name == "less") return DepthFunction::kLess;
+  if (name == "less_equal") return DepthFunction::kLessEqual;
+  throw Error(ErrorCode::kUsage, "--depth-test",
+              fmt::format("'{}' is not less or less_equal", name));
+}
+
+glm::dvec3 parse_vector(const std::string& text, const char* option) {
+  glm::dvec3 value{0.0};
+  std::istringstream stream(text);
+  char comma1 = 0;
+  char comma2 = 0;
+  stream >> value.x >> comma1 >> value.y >> comma2 >> value.z;
+  if (stream.fail() || comma1 != ',' || comma2 != ',' || !(stream >> std::ws).eof()) {
+    throw Error(ErrorCode::kUsage, option,
+                fmt::format("'{:.40}' is not three numbers X,Y,Z", text));
+  }
+  return value;
+}
+
+CameraOptions camera_options(const RenderOptions& options) {
+  CameraOptions camera;
+  if (!options.eye.empty()) camera.eye = parse_vector(options.eye, "--eye");
+  if (!options.target.empty()) camera.target = parse_vector(options.target, "--target");
+  if (!options.up.empty()) camera.up = parse_vector(options.up, "--up");
+  if (options.fov != 0) {
+    if (!(options.fov > 0 && options.fov < 180)) {
+      throw Error(ErrorCode::kUsage, "--fov",
+                  fmt::format("{} is out of range (above 0, below 180 degrees)", options.fov));
+    }
+    camera.fov_y_degrees = options.fov;
+  }
+  if (options.ortho != -1) {
+    if (!(options.ortho >= 0 && options.ortho < 1e30)) {
+      throw Error(ErrorCode::kUsage, "--ortho", "the height must be positive, or 0 to fit");
+    }
+    camera.orthographic = true;
+    if (options.ortho > 0) camera.ortho_height = options.ortho;
+  }
+  return camera;
+}
+
+// One frame drawn: its picture, with the hit counts and the counts of work added to stats.
+class FrameRun {
+ public:
+  FrameRun(const Scene& scene, std::size_t index, const FrameState& frame, const Config& config,
+           RunStats& stats)
+      : scene_(scene), index_(index), frame_(frame), config_(config), stats_(stats) {}
+
+  Image coverage(bool batch) {
+    HitCount hits(frame_.width, frame_.height);
+    const auto add = [&](const CoverageTile& tile) { hits.add(tile, config_); };
+    scene_.draw(index_, frame_, config_, stats_, [&](const ShadedTriangle& triangle) {
+      if (batch) {
+        cover(triangle.triangle, frame_, config_, stats_.raster, add);
+      } else {
+        rasterize(triangle.triangle, frame_, config_, stats_.raster, add);
+      }
+    });
+    return finish(hits, picture_of_hits(hits));
+  }
+
+  Image tiles() {
+    HitCount hits(frame_.width, frame_.height);
+    TilePicture picture(frame_.width, frame_.height, config_);
+    scene_.draw(index_, frame_, config_, stats_, [&](const ShadedTriangle& triangle) {
+      rasterize(
+          triangle.triangle, frame_, config_, stats_.raster, [](const SetupTriangle&) {},
+          [&](const Node& node, int level, bool covered) { picture.visit(node, level, covered); },
+          [&](const CoverageTile& tile) { hits.add(tile, config_); });
+    });
+    return finish(hits, picture.image());
+  }
+
+  Image full(DepthFunction depth_function, bool depth_picture) {
+    Rasterizer rasterizer(frame_, config_, depth_function, kBackground);
+    scene_.draw(index_, frame_, config_, stats_,
+                [&](const ShadedTriangle& triangle) { rasterizer.draw(triangle); });
+    add(rasterizer.stats());
+    const Framebuffer& framebuffer = rasterizer.framebuffer();
+    stats_.tiles_touched += framebuffer.tiles_touched();
+    const std::uint32_t far = (std::uint32_t{1} << config_.depth_bits) - 1;
+    return finish(rasterizer.hit_count(),
+                  depth_picture
+                      ? picture_of_depth(framebuffer.depth(), frame_.width, frame_.height, far)
+                      : framebuffer.resolve());
+  }
+
+ private:
+  Image finish(const HitCount& hits, Image image) {
+    stats_.crc = crc32_of(hits.count(), stats_.crc);
+    ++stats_.cases;
+    return image;
+  }
+  void add(const RasterStats& stats) { stats_.raster += stats; }
+
+  const Scene& scene_;
+  std::size_t index_;
+  FrameState frame_;
+  const Config& config_;
+  RunStats& stats_;
+};
+
+FrameSize frame_size(const RenderOptions& options, const Config& config) {
+  if (options.size.empty()) {
+    return {std::min(640, config.max_size()), std::min(480, config.max_size())};
+  }
+  const FrameSize size = parse_size(options.size);
+  require_size(size.width, size.height, config, "--size");
+  return size;
+}
+
+std::unique_ptr<Scene> open_scene(const RenderOptions& options, const FrameSize& size,
+                                  Shade shade) {
+  std::string extension = std::filesystem::path(options.scene).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (extension == ".tcov") return make_tcov_scene(options.scene, options.case_id);
+  return make_mesh_scene(options.scene, size.width, size.height, camera_options(options),
+                         shade == Shade::kFlat ? Lighting::kFlat : Lighting::kGouraud);
+}
+
+void run_render(const RenderOptions& options) {
+  const Clock::time_point start = Clock::now();
+  const Level level = parse_level(options.level);
+  const Shade shade = parse_shade(options, level);
+  const Cull cull = parse_cull(options.cull);
+  const DepthFunction depth_function = parse_depth_test(options.depth_test);
+  const Config config = options.config.load();
+  const FrameSize size = frame_size(options, config);
+  if (!options.trace.empty()) {
+    throw Error(ErrorCode::kLevel, "--trace", "traces need level cycle or rtl");
+  }
+  check_writable(options.out);
+  if (!options.stats.empty()) check_writable(options.stats);
+  const std::unique_ptr<Scene> scene = open_scene(options, size, shade);
+
+  RunStats stats;
+  stats.command = "render";
+  stats.level = options.level;
+  std::vector<Image> images;
+  for (std::size_t i = 0; i < scene->frames(); ++i) {
+    FrameState frame = scene->frame(i, config);
+    frame.cull = cull;
+    FrameRun run(*scene, i, frame, config, stats);
+    switch (shade) {
+      case Shade::kCoverage: images.push_back(run.coverage(level == Level::kCoverage)); break;
+      case Shade::kTiles: images.push_back(run.tiles()); break;
+      case Shade::kDepth: images.push_back(run.full(depth_function, true)); break;
+      default: images.push_back(run.full(depth_function, false)); break;
+    }
+  }
+  if (images.empty()) throw Error(ErrorCode::kScene, options.scene, "has no cases");
+  write_png(options.out, contact_sheet(images));
+  stats.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  if (!options.stats.empty()) write_stats(options.stats, stats, config);
+}
+
+}  // namespace
+
+Action add_render_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("render", "Draw a scene and write a PNG");
+  auto o = std::make_shared<RenderOptions>();
+  command->add_option("SCENE", o->scene, "Mesh (OBJ, glTF, GLB, PLY, STL) or TCOV file")
+      ->required();
+  command->add_option("--out", o->out, "PNG file to write")->required();
+  command
+      ->add_option("--size", o->size,
+                   "Frame size in pixels (default 640x480; a TCOV file has its own)")
+      ->type_name("WxH");
+  command->add_option("--level", o->level, "coverage, bit, cycle or rtl")->capture_default_str();
+  o->config.add_to(*command);
+  command->add_option("--stats", o->stats, "JSON statistics to write");
+  command->add_option("--trace", o->trace, "Trace to write (levels cycle and rtl)");
+  command->add_option("--shade", o->shade,
+                      "gouraud, flat, depth, coverage (hits per pixel) or tiles (nodes tested)");
+  add_cull_option(*command, o->cull);
+  command->add_option("--depth-test", o->depth_test, "less or less_equal")->capture_default_str();
+  command->add_option("--eye", o->eye, "Camera position, world units")->type_name("X,Y,Z");
+  command->add_option("--target", o->target, "Point looked at, world units")->type_name("X,Y,Z");
+  command->add_option("--up", o->up, "Direction that is up in the picture")->type_name("X,Y,Z");
+  command->add_option("--fov", o->fov, "Vertical field of view, degrees (default 40)");
+  command->add_option("--ortho", o->ortho,
+                      "Orthographic camera; picture height in world units, 0 to fit");
+  command->add_option("--case", o->case_id, "The case of a TCOV file to draw (default: all)");
+  command->footer(
+      "Without --eye the camera frames the scene by itself.\n"
+      "Example: halfspace render tests/scenes/teapot.obj --size 640x480 --out out/teapot.png");
+  return [o] { run_render(*o); };
+}
+
+}  // namespace halfspace

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "../io/error.hpp"
+#include "../io/mesh.hpp"
+#include "../io/tcov.hpp"
+#include "progress.hpp"
+
+namespace halfspace {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Two-sided diffuse light from over the viewer's shoulder: enough to read a shape by.
+class Light {
+ public:
+  explicit Light(const Camera& camera) {
+    const glm::dvec3 back = glm::normalize(camera.eye - camera.target);
+    const glm::dmat4 view = look_at(camera);
+    const glm::dvec3 right{view[0][0], view[1][0], view[2][0]};
+    const glm::dvec3 up{view[0][1], view[1][1], view[2][1]};
+    direction_ = glm::normalize(back + 0.55 * up - 0.45 * right);
+  }
+  // color 0..1 to attribute 0..255.
+  std::array<double, kMaxAttributes> shade(const glm::dvec3& color,
+                                           const glm::dvec3& normal) const {
+    const double length = glm::length(normal);
+    const double diffuse = length > 0 ? std::abs(glm::dot(normal, direction_)) / length : 0.5;
+    const double light = 0.18 + 0.82 * diffuse;
+    std::array<double, kMaxAttributes> out{};
+    for (int c = 0; c < 3; ++c) out[static_cast<std::size_t>(c)] = 255.0 * light * color[c];
+    return out;
+  }
+
+ private:
+  glm::dvec3 direction_;
+};
+
+class MeshScene : public Scene {
+ public:
+  MeshScene(const std::string& path, int width, int height, const CameraOptions& camera,
+            Lighting lighting)
+      : mesh_(load_mesh(path)),
+        frame_{width, height, Cull::kNone},
+        lighting_(lighting),
+        camera_(frame_camera(mesh_.bounds, aspect(), camera)) {}
+
+  std::size_t frames() const override { return 1; }
+  std::uint64_t triangles(std::size_t) const override { return mesh_.triangles.size(); }
+
+  FrameState frame(std::size_t, const Config& config) const override {
+    require_size(frame_.width, frame_.height, config, "--size");
+    return frame_;
+  }
+
+  void draw(std::size_t, const FrameState& frame, const Config& config, RunStats& stats,
+            const TriangleSink& sink) const override {
+    const Clock::time_point start = Clock::now();
+    const std::vector<ClipVertex> vertices = transform();
+    const Light light(camera_);
+    GeometryStage stage(frame, config);
+    std::vector<ShadedTriangle> out;
+    Progress progress("drawing triangles", mesh_.triangles.size());
+    std::uint32_t tag = 0;
+    for (const auto& index : mesh_.triangles) {
+      std::array<ClipVertex, 3> triangle{vertices[index[0]], vertices[index[1]],
+                                         vertices[index[2]]};
+      if (lighting_ == Lighting::kFlat) shade_flat(index, light, triangle);
+      out.clear();
+      stage.process(triangle, tag++, out);
+      for (const ShadedTriangle& piece : out) sink(piece);
+      progress.advance();
+    }
+    stats.geometry = stage.stats();
+    stats.simulate_seconds += seconds_since(start);
+  }
+
+ private:
+  double aspect() const {
+    return static_cast<double>(frame_.width) / static_cast<double>(frame_.height);
+  }
+
+  std::vector<ClipVertex> transform() const {
+    const glm::dmat4 matrix = world_to_clip(camera_, aspect());
+    const Light light(camera_);
+    std::vector<ClipVertex> vertices(mesh_.positions.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      vertices[i].position = matrix * glm::dvec4(glm::dvec3(mesh_.positions[i]), 1.0);
+      if (lighting_ == Lighting::kGouraud) {
+        vertices[i].attribute =
+            light.shade(glm::dvec3(mesh_.colors[i]), glm::dvec3(mesh_.normals[i]));
+      }
+    }
+    return vertices;
+  }
+
+  void shade_flat(const std::array<std::uint32_t, 3>& index, const Light& light,
+                  std::array<ClipVertex, 3>& triangle) const {
+    std::array<glm::dvec3, 3> p;
+    glm::dvec3 color{0.0};
+    for (std::size_t i = 0; i < 3; ++i) {
+      p[i] = glm::dvec3(mesh_.positions[index[i]]);
+      color += glm::dvec3(mesh_.colors[index[i]]) / 3.0;
+    }
+    const auto shade = light.shade(color, glm::cross(p[1] - p[0], p[2] - p[0]));
+    for (ClipVertex& vertex : triangle) vertex.attribute = shade;
+  }
+
+  Mesh mesh_;
+  FrameState frame_;
+  Lighting lighting_;
+  Camera camera_;
+};
+
+// A colour per triangle, spread around the hue circle by the golden angle.
+std::array<std::uint16_t, kMaxAttributes> triangle_color(std::size_t index) {
+  std::array<std::uint16_t, kMaxAttributes> out{};
+  const double hue = std::fmod(static_cast<double>(index) * 0.618033988749895, 1.0);
+  for (int c = 0; c < 3; ++c) {
+    const double phase = std::fmod(hue + static_cast<double>(c) / 3.0, 1.0);
+    const double level = 150.0 + 90.0 * std::cos(2.0 * 3.14159265358979 * phase);
+    out[static_cast<std::size_t>(c)] =
+        static_cast<std::uint16_t>(std::lround(level * (1 << kAttributeFractionBits)));
+  }
+  return out;
+}
+
+class TcovScene : public Scene {
+ public:
+  TcovScene(std::string path, int case_id) : path_(std::move(path)), cases_(read_tcov(path_)) {
+    if (case_id < 0) return;
+    std::erase_if(cases_, [case_id](const TcovCase& tcov) { return tcov.id != case_id; });
+    if (cases_.empty()) {
+      throw Error(ErrorCode::kScene, path_, fmt::format("has no case {}", case_id));
+    }
+  }
+
+  std::size_t frames() const override { return cases_.size(); }
+  std::uint64_t triangles(std::size_t index) const override {
+    return cases_[index].triangles.size();
+  }
+  FrameState frame(std::size_t index, const Config& config) const override {
+    const TcovCase& tcov = cases_[index];
+    require_size(tcov.width, tcov.height, config, fmt::format("{}:{}", path_, tcov.line));
+    return {tcov.width, tcov.height, Cull::kNone};
+  }
+
+  void draw(std::size_t index, const FrameState&, const Config& config, RunStats& stats,
+            const TriangleSink& sink) const override {
+    const TcovTriangles input = tcov_triangles(cases_[index], config, path_);
+    stats.resnapped += input.resnapped;
+    stats.geometry.triangles_in += input.triangles.size();
+    stats.geometry.triangles_out += input.triangles.size();
+    const Clock::time_point start = Clock::now();
+    for (std::size_t i = 0; i < input.triangles.size(); ++i) {
+      VertexAttributes vertex;
+      vertex.depth = 1u << (config.depth_bits + kDepthFractionBits - 1);
+      vertex.inverse_w = 1u << (config.inverse_w_bits - 1);
+      vertex.value = triangle_color(i);
+      sink({input.triangles[i], {vertex, vertex, vertex}});
+    }
+    stats.simulate_seconds += seconds_since(start);
+  }
+
+ private:
+  std::string path_;
+  std::vector<TcovCase> cases_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make_mesh_scene(const std::string& path, int width, int height,
+                                       const CameraOptions& camera, Lighting lighting) {
+  return std::make_unique<MeshScene>(path, width, height, camera, lighting);
+}
+
+std::unique_ptr<Scene> make_tcov_scene(const std::string& path, int case_id) {
+  return std::make_unique<TcovScene>(path, case_id);
+}
+
+FrameSize parse_size(const std::string& text) {
+  FrameSize size;
+  const char* end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.width);
+  const bool separated = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+  const auto height = separated ? std::from_chars(width.ptr + 1, end, size.height) : width;
+  if (!separated || height.ec != std::errc() || height.ptr != end) {
+    throw Error(ErrorCode::kSize, "--size",
+                fmt::format("'{:.40}' is not WIDTHxHEIGHT in pixels, such as 640x480", text));
+  }
+  if (size.width < 1 || size.height < 1 || size.width > kTcovMaxSize ||
+      size.height > kTcovMaxSize) {
+    throw Error(ErrorCode::kSize, "--size",
+                fmt::format("{} is out of range (1x1..{}x{})", text, kTcovMaxSize, kTcovMaxSize));
+  }
+  return size;
+}
+
+void require_size(int width, int height, const Config& config, const std::string& place) {
+  if (width <= config.max_size() && height <= config.max_size()) return;
+  throw Error(
+      ErrorCode::kSize, place,
+      fmt::format("{}x{} is larger than the configuration's {}x{} (viewport_bits = {})", width,
+                  height, config.max_size(), config.max_size(), config.viewport_bits));
+}
+
+}  // namespace halfspace

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What `halfspace render` draws: a mesh seen by a camera, or the cases of a TCOV file, as a stream
+// of fixed-point triangles for each frame.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../camera.hpp"
+#include "../geometry.hpp"
+#include "../io/stats_json.hpp"
+
+namespace halfspace {
+
+// How vertices get their colour.
+enum class Lighting { kFlat, kGouraud };
+
+using TriangleSink = std::function<void(const ShadedTriangle&)>;
+
+// A source of frames. Triangles are made one at a time: memory does not grow with their number
+// beyond the loaded file itself.
+class Scene {
+ public:
+  virtual ~Scene() = default;
+  virtual std::size_t frames() const = 0;
+  // The frame's size in pixels. Throws Error(kSize) when the configuration cannot hold it.
+  virtual FrameState frame(std::size_t index, const Config& config) const = 0;
+  virtual std::uint64_t triangles(std::size_t index) const = 0;
+  // Sends every triangle of a frame, in order; adds to stats.geometry and stats.resnapped. Each
+  // call of `sink` is counted in stats.simulate_seconds with the geometry stage.
+  virtual void draw(std::size_t index, const FrameState& frame, const Config& config,
+                    RunStats& stats, const TriangleSink& sink) const = 0;
+};
+
+// A mesh file (OBJ, glTF, GLB, PLY, STL). width x height in pixels. Throws what load_mesh() throws.
+std::unique_ptr<Scene> make_mesh_scene(const std::string& path, int width, int height,
+                                       const CameraOptions& camera, Lighting lighting);
+
+// The cases of a TCOV file, or the one with that id (case_id >= 0). Triangles have one colour each
+// and equal depth. Throws what read_tcov() throws, and Error(kScene) for an unknown id.
+std::unique_ptr<Scene> make_tcov_scene(const std::string& path, int case_id);
+
+// "WxH", each 1..32768. Throws Error(kSize).
+struct FrameSize {
+  int width = 0;
+  int height = 0;
+};
+FrameSize parse_size(const std::string& text);
+
+// Throws Error(kSize) when the configuration's viewport is smaller.
+void require_size(int width, int height, const Config& config, const std::string& place);
+
+}  // namespace halfspace
