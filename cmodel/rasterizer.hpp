@@ -6,6 +6,8 @@
 
 #include <array>
 #include <bit>
+#include <optional>
+#include <utility>
 
 #include "config.hpp"
 #include "coverage.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <bit>
 
 #include "config.hpp"
@@ -15,8 +16,9 @@ inline Node root_node(const SetupTriangle& triangle) { return {0, 0, triangle.e}
 //
 //   node      at `level`, 0 <= level < levels() - 1
 //   triangle  slopes and box
-//   return    bit j * grid() + i: child (i, j) has, for every edge, a sample with E >= 0, and
-//             overlaps the box
+//   return    bit j * grid() + i: for every edge, E >= 0 at child (i, j)'s corner furthest inside
+//             (the outermost sample column and row: a sample when there is one per pixel, a safe
+//             bound otherwise), and the child overlaps the box
 //
 // Exact in the widths of config.md (checked). Never clears a child that holds a covered sample; may
 // keep one that holds none. Cost: three grids. Twin: rtl/hs_tile_traversal.sv.
