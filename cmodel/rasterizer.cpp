@@ -48,20 +48,23 @@ Rasterizer::Rasterizer(const FrameState& frame, const Config& config, DepthFunct
       colors_(std::min(config.attributes, 3)) {}
 
 void Rasterizer::draw(const ShadedTriangle& triangle) {
-  has_depth_ = false;
-  has_attributes_ = false;
-  SetupTriangle ready;
   rasterize(
       triangle.triangle, frame_, config_, stats_,
-      [&ready](const SetupTriangle& setup) { ready = setup; }, [](const Node&, int, bool) {},
-      [&](const CoverageTile& tile) { draw_tile(tile, ready, triangle); });
+      [&](const SetupTriangle& setup) { begin(triangle, setup); }, [](const Node&, int, bool) {},
+      [this](const CoverageTile& tile) { draw_tile(tile); });
 }
 
-void Rasterizer::draw_tile(const CoverageTile& tile, const SetupTriangle& setup,
-                           const ShadedTriangle& triangle) {
+void Rasterizer::begin(const ShadedTriangle& triangle, const SetupTriangle& setup) {
+  triangle_ = &triangle;
+  setup_ = setup;
+  has_depth_ = false;
+  has_attributes_ = false;
+}
+
+void Rasterizer::draw_tile(const CoverageTile& tile) {
   hit_count_.add(tile, config_);
   if (!has_depth_) {
-    planes_ = interpolation_setup(setup, triangle.triangle, triangle.attributes, 0, config_);
+    planes_ = interpolation_setup(setup_, triangle_->triangle, triangle_->attributes, 0, config_);
     has_depth_ = true;
   }
   FrameTile& stored = framebuffer_.tile(tile.x, tile.y);
@@ -77,7 +80,8 @@ void Rasterizer::draw_tile(const CoverageTile& tile, const SetupTriangle& setup,
   }
   if (any == 0) return;
   if (!has_attributes_) {
-    planes_ = interpolation_setup(setup, triangle.triangle, triangle.attributes, colors_, config_);
+    planes_ =
+        interpolation_setup(setup_, triangle_->triangle, triangle_->attributes, colors_, config_);
     has_attributes_ = true;
   }
   shade(tile, passed, stored);

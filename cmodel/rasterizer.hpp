@@ -114,13 +114,17 @@ class Rasterizer {
   // also added to hit_count().
   void draw(const ShadedTriangle& triangle);
 
+  // The same for coverage that comes from elsewhere (level cycle, the RTL): begin() with what
+  // triangle_setup() returned for the triangle, then each of its tiles. The triangle must stay
+  // where it is until the last one.
+  void begin(const ShadedTriangle& triangle, const SetupTriangle& setup);
+  void draw_tile(const CoverageTile& tile);
+
   const Framebuffer& framebuffer() const { return framebuffer_; }
   const RasterStats& stats() const { return stats_; }
   const HitCount& hit_count() const { return hit_count_; }
 
  private:
-  void draw_tile(const CoverageTile& tile, const SetupTriangle& setup,
-                 const ShadedTriangle& triangle);
   void shade(const CoverageTile& tile, const std::array<GridMask, kMaxSamples>& passed,
              FrameTile& stored);
   Rgb color_at(int lane, int sample) const;
@@ -132,7 +136,10 @@ class Rasterizer {
   HitCount hit_count_;
   RasterStats stats_;
 
-  // The triangle being drawn: planes with attributes once a fragment passed, without before.
+  // The triangle being drawn, and its planes: planes with attributes once a fragment passed,
+  // without before.
+  const ShadedTriangle* triangle_ = nullptr;
+  SetupTriangle setup_;
   bool has_depth_ = false;
   bool has_attributes_ = false;
   InterpolationSetup planes_;

@@ -2,22 +2,25 @@
 #include "command.hpp"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "../io/config_json.hpp"
 #include "../io/error.hpp"
+#include "rtl_link.hpp"
 
 namespace halfspace {
 
 Level parse_level(const std::string& name) {
   if (name == "coverage") return Level::kCoverage;
   if (name == "bit") return Level::kBit;
-  if (name == "cycle" || name == "rtl") {
-    throw Error(
-        ErrorCode::kLevel, "--level",
-        fmt::format("level {} is not available in this build (there are coverage, bit)", name));
-  }
+  if (name == "cycle") return Level::kCycle;
+  if (name == "rtl") return Level::kRtl;
   throw Error(ErrorCode::kUsage, "--level",
               fmt::format("'{}' is not coverage, bit, cycle or rtl", name));
+}
+
+void require_level(Level level, const Config& config) {
+  if (level == Level::kRtl) require_rtl(config, "--level");
 }
 
 void ConfigOptions::add_to(CLI::App& command) {

@@ -3,19 +3,23 @@
 // What the subcommands share: option values that several of them take, and their registration.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <cstdint>
 #include <functional>
 #include <string>
 
 #include "../config.hpp"
 #include "../packets.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace halfspace {
 
 // How much is modelled. docs/01_overview/levels.md.
 enum class Level { kCoverage, kBit, kCycle, kRtl };
 
-// Throws Error(kLevel) for a level this build does not have, kUsage for an unknown name.
+// Throws Error(kUsage) for an unknown name.
 Level parse_level(const std::string& name);
 
 // --config and --samples, the same everywhere.
@@ -27,14 +31,34 @@ struct ConfigOptions {
   Config load() const;  // legal; throws Error
 };
 
+// Throws Error(kLevel) when the level is rtl and this build has none of the configuration.
+void require_level(Level level, const Config& config);
+
 // --cull none|back|front.
 void add_cull_option(CLI::App& command, std::string& cull);
 Cull parse_cull(const std::string& name);
 
+// halfspace cosim: a scene or TCOV file through model and RTL, compared.
+struct CosimRequest {
+  std::string in;
+  std::string size;
+  std::string stats;
+  std::string trace;
+  std::string cull = "none";
+  double stall = 0;
+  std::uint64_t seed = 1;
+  int case_id = -1;
+  ConfigOptions config;
+};
+// Exit status: 0 identical, 1 not (a line on stderr says where, and how to replay it). Throws
+// Error.
+int run_cosim(const CosimRequest& request);
+
 // A subcommand adds itself to the program and returns what to run when it is chosen.
-using Action = std::function<void()>;
+using Action = std::function<int()>;  // returns the exit status
 Action add_render_command(CLI::App& program);
 Action add_coverage_command(CLI::App& program);
 Action add_config_command(CLI::App& program);
+Action add_cosim_command(CLI::App& program);
 
 }  // namespace halfspace

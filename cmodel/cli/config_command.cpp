@@ -2,6 +2,7 @@
 //
 // halfspace config: show a configuration and the widths derived from it.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -40,6 +41,7 @@ Action add_config_command(CLI::App& program) {
   return [options, derived] {
     const Config config = options->load();
     fmt::print("{}\n", (*derived ? derived_json(config) : config_json(config)).dump(2));
+    return 0;
   };
 }
 

@@ -2,16 +2,17 @@
 //
 // halfspace coverage: triangles of a TCOV file in, hit counts of every pixel out.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <chrono>
 #include <memory>
 
-#include "../batch/coverage_batch.hpp"
 #include "../io/error.hpp"
 #include "../io/output_file.hpp"
 #include "../io/stats_json.hpp"
 #include "../io/tcov.hpp"
 #include "command.hpp"
+#include "level_run.hpp"
 #include "progress.hpp"
 
 namespace halfspace {
@@ -34,16 +35,12 @@ TcovCase run_case(const TcovCase& source, Level level, Cull cull, const Config& 
   const TcovTriangles input = tcov_triangles(source, config, place);
   const FrameState frame{source.width, source.height, cull};
   HitCount hits(frame.width, frame.height);
-  const auto add = [&](const CoverageTile& tile) { hits.add(tile, config); };
+  LevelRun run(level, frame, config, stats, {},
+               [&](const CoverageTile& tile) { hits.add(tile, config); });
   const Clock::time_point start = Clock::now();
-  for (const Triangle& triangle : input.triangles) {
-    if (level == Level::kCoverage) {
-      cover(triangle, frame, config, stats.raster, add);
-    } else {
-      rasterize(triangle, frame, config, stats.raster, add);
-    }
-  }
+  for (const Triangle& triangle : input.triangles) run.draw({triangle, {}});
   stats.simulate_seconds += std::chrono::duration<double>(Clock::now() - start).count();
+  run.finish();
   stats.resnapped += input.resnapped;
   stats.geometry.triangles_in += input.triangles.size();
   stats.crc = crc32_of(hits.count(), stats.crc);
@@ -58,6 +55,7 @@ void run_coverage(const CoverageOptions& options) {
   const Level level = parse_level(options.level);
   const Cull cull = parse_cull(options.cull);
   const Config config = options.config.load();
+  require_level(level, config);
   const std::vector<TcovCase> cases = read_tcov(options.in);
   if (cases.empty()) throw Error(ErrorCode::kScene, options.in, "has no cases");
   check_writable(options.out);
@@ -98,7 +96,10 @@ Action add_coverage_command(CLI::App& program) {
   add_cull_option(*command, options->cull);
   options->config.add_to(*command);
   command->footer("Example: halfspace coverage tests/data/public.tcov --out out/public.tcov");
-  return [options] { run_coverage(*options); };
+  return [options] {
+    run_coverage(*options);
+    return 0;
+  };
 }
 
 }  // namespace halfspace

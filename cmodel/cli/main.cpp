@@ -28,6 +28,7 @@ int run(int argc, char** argv) {
   std::vector<std::pair<std::string, halfspace::Action>> actions;
   actions.emplace_back("render", halfspace::add_render_command(program));
   actions.emplace_back("coverage", halfspace::add_coverage_command(program));
+  actions.emplace_back("cosim", halfspace::add_cosim_command(program));
   actions.emplace_back("config", halfspace::add_config_command(program));
   try {
     program.parse(argc, argv);
@@ -45,13 +46,14 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return fail(halfspace::ErrorCode::kUsage, std::string(error.what()) + " (try --help)");
   }
+  int status = 0;
   for (const auto& [name, action] : actions) {
-    if (program.got_subcommand(name)) action();
+    if (program.got_subcommand(name)) status = action();
   }
   if (std::fflush(stdout) != 0) {
     return fail(halfspace::ErrorCode::kFileWrite, "cannot write to standard output");
   }
-  return 0;
+  return status;
 }
 
 }  // namespace

@@ -2,19 +2,19 @@
 //
 // halfspace render: a scene in, a picture and its statistics out.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <memory>
 #include <sstream>
 
-#include "../batch/coverage_batch.hpp"
 #include "../io/error.hpp"
 #include "../io/output_file.hpp"
 #include "../io/png_file.hpp"
 #include "../io/tcov.hpp"
 #include "command.hpp"
+#include "level_run.hpp"
 #include "pictures.hpp"
 #include "scene.hpp"
 
@@ -107,16 +107,11 @@ class FrameRun {
            RunStats& stats)
       : scene_(scene), index_(index), frame_(frame), config_(config), stats_(stats) {}
 
-  Image coverage(bool batch) {
+  Image coverage(Level level) {
     HitCount hits(frame_.width, frame_.height);
-    const auto add = [&](const CoverageTile& tile) { hits.add(tile, config_); };
-    scene_.draw(index_, frame_, config_, stats_, [&](const ShadedTriangle& triangle) {
-      if (batch) {
-        cover(triangle.triangle, frame_, config_, stats_.raster, add);
-      } else {
-        rasterize(triangle.triangle, frame_, config_, stats_.raster, add);
-      }
-    });
+    LevelRun run(level, frame_, config_, stats_, {},
+                 [&](const CoverageTile& tile) { hits.add(tile, config_); });
+    draw(run);
     return finish(hits, picture_of_hits(hits));
   }
 
@@ -132,11 +127,16 @@ class FrameRun {
     return finish(hits, picture.image());
   }
 
-  Image full(DepthFunction depth_function, bool depth_picture) {
+  Image full(Level level, DepthFunction depth_function, bool depth_picture) {
     Rasterizer rasterizer(frame_, config_, depth_function, kBackground);
-    scene_.draw(index_, frame_, config_, stats_,
-                [&](const ShadedTriangle& triangle) { rasterizer.draw(triangle); });
-    add(rasterizer.stats());
+    LevelRun run(
+        level, frame_, config_, stats_,
+        [&](const ShadedTriangle& triangle, const SetupTriangle& setup) {
+          rasterizer.begin(triangle, setup);
+        },
+        [&](const CoverageTile& tile) { rasterizer.draw_tile(tile); });
+    draw(run);
+    stats_.raster.fragments_shaded += rasterizer.stats().fragments_shaded;
     const Framebuffer& framebuffer = rasterizer.framebuffer();
     stats_.tiles_touched += framebuffer.tiles_touched();
     const std::uint32_t far = (std::uint32_t{1} << config_.depth_bits) - 1;
@@ -152,7 +152,11 @@ class FrameRun {
     ++stats_.cases;
     return image;
   }
-  void add(const RasterStats& stats) { stats_.raster += stats; }
+  void draw(LevelRun& run) {
+    scene_.draw(index_, frame_, config_, stats_,
+                [&run](const ShadedTriangle& triangle) { run.draw(triangle); });
+    run.finish();
+  }
 
   const Scene& scene_;
   std::size_t index_;
@@ -161,24 +165,6 @@ class FrameRun {
   RunStats& stats_;
 };
 
-FrameSize frame_size(const RenderOptions& options, const Config& config) {
-  if (options.size.empty()) {
-    return {std::min(640, config.max_size()), std::min(480, config.max_size())};
-  }
-  const FrameSize size = parse_size(options.size);
-  require_size(size.width, size.height, config, "--size");
-  return size;
-}
-
-std::unique_ptr<Scene> open_scene(const RenderOptions& options, const FrameSize& size,
-                                  Shade shade) {
-  std::string extension = std::filesystem::path(options.scene).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (extension == ".tcov") return make_tcov_scene(options.scene, options.case_id);
-  return make_mesh_scene(options.scene, size.width, size.height, camera_options(options),
-                         shade == Shade::kFlat ? Lighting::kFlat : Lighting::kGouraud);
-}
-
 void run_render(const RenderOptions& options) {
   const Clock::time_point start = Clock::now();
   const Level level = parse_level(options.level);
@@ -186,13 +172,16 @@ void run_render(const RenderOptions& options) {
   const Cull cull = parse_cull(options.cull);
   const DepthFunction depth_function = parse_depth_test(options.depth_test);
   const Config config = options.config.load();
-  const FrameSize size = frame_size(options, config);
+  require_level(level, config);
+  const FrameSize size = frame_size(options.size, config);
   if (!options.trace.empty()) {
     throw Error(ErrorCode::kLevel, "--trace", "traces need level cycle or rtl");
   }
   check_writable(options.out);
   if (!options.stats.empty()) check_writable(options.stats);
-  const std::unique_ptr<Scene> scene = open_scene(options, size, shade);
+  const std::unique_ptr<Scene> scene =
+      open_scene(options.scene, options.case_id, size, camera_options(options),
+                 shade == Shade::kFlat ? Lighting::kFlat : Lighting::kGouraud);
 
   RunStats stats;
   stats.command = "render";
@@ -203,10 +192,10 @@ void run_render(const RenderOptions& options) {
     frame.cull = cull;
     FrameRun run(*scene, i, frame, config, stats);
     switch (shade) {
-      case Shade::kCoverage: images.push_back(run.coverage(level == Level::kCoverage)); break;
+      case Shade::kCoverage: images.push_back(run.coverage(level)); break;
       case Shade::kTiles: images.push_back(run.tiles()); break;
-      case Shade::kDepth: images.push_back(run.full(depth_function, true)); break;
-      default: images.push_back(run.full(depth_function, false)); break;
+      case Shade::kDepth: images.push_back(run.full(level, depth_function, true)); break;
+      default: images.push_back(run.full(level, depth_function, false)); break;
     }
   }
   if (images.empty()) throw Error(ErrorCode::kScene, options.scene, "has no cases");
@@ -245,7 +234,10 @@ Action add_render_command(CLI::App& program) {
   command->footer(
       "Without --eye the camera frames the scene by itself.\n"
       "Example: halfspace render tests/scenes/teapot.obj --size 640x480 --out out/teapot.png");
-  return [o] { run_render(*o); };
+  return [o] {
+    run_render(*o);
+    return 0;
+  };
 }
 
 }  // namespace halfspace

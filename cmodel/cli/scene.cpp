@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -60,6 +62,7 @@ class MeshScene : public Scene {
 
   std::size_t frames() const override { return 1; }
   std::uint64_t triangles(std::size_t) const override { return mesh_.triangles.size(); }
+  int case_id(std::size_t) const override { return -1; }
 
   FrameState frame(std::size_t, const Config& config) const override {
     require_size(frame_.width, frame_.height, config, "--size");
@@ -152,6 +155,7 @@ class TcovScene : public Scene {
   std::uint64_t triangles(std::size_t index) const override {
     return cases_[index].triangles.size();
   }
+  int case_id(std::size_t index) const override { return cases_[index].id; }
   FrameState frame(std::size_t index, const Config& config) const override {
     const TcovCase& tcov = cases_[index];
     require_size(tcov.width, tcov.height, config, fmt::format("{}:{}", path_, tcov.line));
@@ -207,6 +211,21 @@ FrameSize parse_size(const std::string& text) {
                 fmt::format("{} is out of range (1x1..{}x{})", text, kTcovMaxSize, kTcovMaxSize));
   }
   return size;
+}
+
+FrameSize frame_size(const std::string& text, const Config& config) {
+  if (text.empty()) return {std::min(640, config.max_size()), std::min(480, config.max_size())};
+  const FrameSize size = parse_size(text);
+  require_size(size.width, size.height, config, "--size");
+  return size;
+}
+
+std::unique_ptr<Scene> open_scene(const std::string& path, int case_id, const FrameSize& size,
+                                  const CameraOptions& camera, Lighting lighting) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (extension == ".tcov") return make_tcov_scene(path, case_id);
+  return make_mesh_scene(path, size.width, size.height, camera, lighting);
 }
 
 void require_size(int width, int height, const Config& config, const std::string& place) {

@@ -29,6 +29,8 @@ class Scene {
   // The frame's size in pixels. Throws Error(kSize) when the configuration cannot hold it.
   virtual FrameState frame(std::size_t index, const Config& config) const = 0;
   virtual std::uint64_t triangles(std::size_t index) const = 0;
+  // The TCOV case's id; -1 for a mesh.
+  virtual int case_id(std::size_t index) const = 0;
   // Sends every triangle of a frame, in order; adds to stats.geometry and stats.resnapped. Each
   // call of `sink` is counted in stats.simulate_seconds with the geometry stage.
   virtual void draw(std::size_t index, const FrameState& frame, const Config& config,
@@ -43,14 +45,24 @@ std::unique_ptr<Scene> make_mesh_scene(const std::string& path, int width, int h
 // and equal depth. Throws what read_tcov() throws, and Error(kScene) for an unknown id.
 std::unique_ptr<Scene> make_tcov_scene(const std::string& path, int case_id);
 
-// "WxH", each 1..32768. Throws Error(kSize).
+// A frame's size in pixels.
 struct FrameSize {
   int width = 0;
   int height = 0;
 };
+
+// "WxH", each 1..32768. Throws Error(kSize).
 FrameSize parse_size(const std::string& text);
+
+// What --size says; when it is empty 640x480, or less where the configuration is smaller. Throws
+// Error(kSize).
+FrameSize frame_size(const std::string& text, const Config& config);
 
 // Throws Error(kSize) when the configuration's viewport is smaller.
 void require_size(int width, int height, const Config& config, const std::string& place);
+
+// A TCOV file's cases when the name ends in .tcov (size and camera are not used), else a mesh.
+std::unique_ptr<Scene> open_scene(const std::string& path, int case_id, const FrameSize& size,
+                                  const CameraOptions& camera, Lighting lighting);
 
 }  // namespace halfspace

@@ -35,6 +35,7 @@ nlohmann::ordered_json stats_json(const RunStats& stats, const Config& config) {
   json["samples_covered"] = r.samples_covered;
   json["fragments"] = r.fragments;
   json["fragments_shaded"] = r.fragments_shaded;
+  if (stats.cycles) json["cycles"] = *stats.cycles;
   json["coordinates_resnapped"] = stats.resnapped;
   json["coverage_crc32"] = stats.crc;
   json["wall_seconds"] = stats.wall_seconds;

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "level_run.hpp"
+
+#include <chrono>
+#include <utility>
+
+#include "../batch/coverage_batch.hpp"
+#include "rtl_link.hpp"
+
+namespace halfspace {
+namespace {
+
+// What CycleModel tells its listener, passed on to LevelRun's callbacks.
+struct Forward {
+  const ShadedTriangle& triangle;
+  const LevelRun::Begin& begin;
+  const LevelRun::Tile& to;
+
+  void accepted(Timing::Clock) const {}
+  void setup(Timing::Clock, const SetupTriangle& packet) const {
+    if (begin) begin(triangle, packet);
+  }
+  void node(int, Timing::Clock, const Node&) const {}
+  void tile(Timing::Clock, const CoverageTile& packet) const { to(packet); }
+};
+
+}  // namespace
+
+LevelRun::LevelRun(Level level, const FrameState& frame, const Config& config, RunStats& stats,
+                   Begin begin, Tile tile)
+    : level_(level),
+      frame_(frame),
+      config_(config),
+      stats_(stats),
+      begin_(std::move(begin)),
+      tile_(std::move(tile)),
+      cycle_(frame, config, Stalls()) {}
+
+void LevelRun::draw(const ShadedTriangle& triangle) {
+  switch (level_) {
+    case Level::kCoverage: cover(triangle.triangle, frame_, config_, stats_.raster, tile_); break;
+    case Level::kBit: draw_bit(triangle); break;
+    case Level::kCycle: draw_cycle(triangle); break;
+    case Level::kRtl: waiting_.push_back(triangle); break;
+  }
+}
+
+void LevelRun::draw_bit(const ShadedTriangle& triangle) {
+  rasterize(
+      triangle.triangle, frame_, config_, stats_.raster,
+      [&](const SetupTriangle& setup) {
+        if (begin_) begin_(triangle, setup);
+      },
+      [](const Node&, int, bool) {}, tile_);
+}
+
+void LevelRun::draw_cycle(const ShadedTriangle& triangle) {
+  cycle_.draw(triangle.triangle, Forward{triangle, begin_, tile_});
+}
+
+void LevelRun::finish() {
+  const auto start = std::chrono::steady_clock::now();
+  if (level_ == Level::kCycle) {
+    stats_.raster += cycle_.stats();
+    stats_.cycles = stats_.cycles.value_or(0) + cycle_.clocks();
+  }
+  if (level_ == Level::kRtl) finish_rtl();
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  stats_.simulate_seconds += took.count();
+}
+
+void LevelRun::finish_rtl() {
+  std::vector<Triangle> triangles;
+  triangles.reserve(waiting_.size());
+  for (const ShadedTriangle& triangle : waiting_) triangles.push_back(triangle.triangle);
+  // Tiles come in the order of the triangles, so a tag that changes names a later triangle.
+  const std::uint64_t mask = (std::uint64_t{1} << config_.tag_bits) - 1;
+  std::uint64_t current = 0;
+  bool begun = false;
+  const auto tile = [&](const CoverageTile& covered) {
+    std::uint64_t index = (current & ~mask) | covered.tag;
+    if (index < current) index += mask + 1;
+    if (begin_ && (!begun || index != current)) {
+      begin_(waiting_[index], *triangle_setup(triangles[index], frame_, config_));
+    }
+    begun = true;
+    current = index;
+    count_tile(covered, stats_.raster);
+    tile_(covered);
+  };
+  const std::uint64_t clocks = rasterize_rtl(triangles, frame_, config_, tile);
+  stats_.cycles = stats_.cycles.value_or(0) + clocks;
+  // The ports do not show what was tested and dropped: that is the model's to say.
+  RasterStats counted;
+  for (const Triangle& triangle : triangles) {
+    rasterize(triangle, frame_, config_, counted, [](const CoverageTile&) {});
+  }
+  counted.tiles_covered = counted.samples_covered = counted.fragments = 0;  // counted above
+  stats_.raster += counted;
+}
+
+}  // namespace halfspace

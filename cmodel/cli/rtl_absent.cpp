@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "../io/error.hpp"
+#include "command.hpp"
+#include "rtl_link.hpp"
+
+namespace halfspace {
+
+void require_rtl(const Config&, const std::string& place) {
+  throw Error(ErrorCode::kLevel, place, "this build has no RTL (configure with HALFSPACE_RTL=ON)");
+}
+
+std::uint64_t rasterize_rtl(std::span<const Triangle>, const FrameState&, const Config& config,
+                            const std::function<void(const CoverageTile&)>&) {
+  require_rtl(config, "--level");
+  return 0;
+}
+
+int run_cosim(const CosimRequest& request) {
+  require_rtl(request.config.load(), "cosim");
+  return 1;
+}
+
+}  // namespace halfspace

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "rtl_link.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <stdexcept>
+
+#include "../io/error.hpp"
+#include "cosim.hpp"
+
+namespace halfspace {
+namespace {
+
+std::unique_ptr<RtlRasterizer> open_rtl(const Config& config, const std::string& place) {
+  if (std::unique_ptr<RtlRasterizer> rtl = make_rtl_rasterizer(config)) return rtl;
+  throw Error(ErrorCode::kLevel, place,
+              fmt::format("no RTL of this configuration in this build (there are {})",
+                          fmt::join(rtl_configurations(), ", ")));
+}
+
+}  // namespace
+
+void require_rtl(const Config& config, const std::string& place) { open_rtl(config, place); }
+
+std::uint64_t rasterize_rtl(std::span<const Triangle> triangles, const FrameState& frame,
+                            const Config& config,
+                            const std::function<void(const CoverageTile&)>& tile) {
+  try {
+    return run_rtl(*open_rtl(config, "--level"), triangles, frame, {}, tile).clocks;
+  } catch (const std::runtime_error& error) {
+    throw Error(ErrorCode::kInternal, "rtl", error.what());
+  }
+}
+
+}  // namespace halfspace

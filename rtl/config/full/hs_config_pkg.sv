@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The free values of configuration `full`. Meaning and ranges: docs/03_design/config.md.
+//
+// Compile before rtl.f. hs_pkg takes the values from the macros: yosys 0.23 cannot read one package
+// from another.
+//
+// Twin: cmodel/config.hpp; the compiler compares them, so drift is a build error.
+`define HS_SUBPIXEL_BITS 8
+`define HS_VIEWPORT_BITS 12
+`define HS_GUARD_BITS 13  // 0: no guard band
+`define HS_SAMPLES 1
+`define HS_GRID_LOG2 3
+`define HS_SETUP_INTERVAL 1
+`define HS_TAG_BITS 16
+
+package hs_config_pkg;
+  localparam int SUBPIXEL_BITS /*verilator public*/ = `HS_SUBPIXEL_BITS;
+  localparam int VIEWPORT_BITS /*verilator public*/ = `HS_VIEWPORT_BITS;
+  localparam int GUARD_BITS /*verilator public*/ = `HS_GUARD_BITS;
+  localparam int SAMPLES /*verilator public*/ = `HS_SAMPLES;
+  localparam int GRID_LOG2 /*verilator public*/ = `HS_GRID_LOG2;
+  localparam int SETUP_INTERVAL /*verilator public*/ = `HS_SETUP_INTERVAL;
+  localparam int TAG_BITS /*verilator public*/ = `HS_TAG_BITS;
+endpackage

@@ -1,0 +1,17 @@
+hs_pkg.sv
+hs_fifo.sv
+hs_setup_product.sv
+hs_setup_edge.sv
+hs_setup_box.sv
+hs_triangle_setup.sv
+hs_half_row.sv
+hs_half_plane_grid.sv
+hs_box_range.sv
+hs_node_base.sv
+hs_child_select.sv
+hs_child_step.sv
+hs_tile_traversal.sv
+hs_constant_product.sv
+hs_sample_grid.sv
+hs_coverage.sv
+hs_rasterizer.sv
