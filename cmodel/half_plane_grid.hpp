@@ -12,7 +12,7 @@ namespace halfspace {
 //   slope   a per lane to the right, b per lane down, delta_bits()
 //   config  grid_log2 and widths
 //
-// Exact: every lane fits lane_bits(). Cost: one add and a sign per lane. Combinational in the RTL.
+// Exact: every lane fits lane_bits(). Cost: one add and a sign per lane.
 // Twin: rtl/hs_half_plane_grid.sv.
 GridMask half_plane_grid(std::int64_t base, EdgeSlope slope, const Config& config);
 

@@ -10,8 +10,8 @@
 //             nodes; a node without a live child costs a cycle only while nothing is handed down.
 // Handshake:  valid/ready; ready_o is a register where register 1 is a FIFO.
 //             Timing: docs/03_design/timing.md
-// Registers:  1 node, at every second level a two-entry FIFO | 2 grids' start | 3 mask of live children
-//             | 4 child being handed down, rest of the mask | 5 step to the child
+// Registers:  1 node, at every second level a two-entry FIFO | 2 grids' start
+//             | 3 mask of live children | 4 child in hand, rest of the mask | 5 step to the child
 module hs_tile_traversal #(
   parameter int Level = 0
 ) (

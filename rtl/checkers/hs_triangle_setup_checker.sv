@@ -55,7 +55,8 @@ module hs_triangle_setup_checker (
   assert_box : assert property (box_inside_frame) else $error("box empty or outside the frame");
 
   // What the pyramid relies on: each edge faces inwards, reach and inset belong to the slope.
-  function automatic bit consistent(input hs_pkg::edge_slope_t slope, input hs_pkg::corner_t corner);
+  function automatic bit consistent(input hs_pkg::edge_slope_t slope,
+                                    input hs_pkg::corner_t corner);
     logic signed [hs_pkg::DELTA_BITS-1:0] a, b;
     longint                               reach, inset;
     a = slope.a;
