@@ -18,6 +18,9 @@ TESTS = pathlib.Path(os.environ["HALFSPACE_TESTS"])
 SCENES = TESTS / "scenes"
 PUBLIC = TESTS / "data" / "public.tcov"
 
+HAS_RTL = os.environ.get("HALFSPACE_HAS_RTL") == "ON"
+LEVELS = ("coverage", "bit", "cycle") + (("rtl",) if HAS_RTL else ())
+
 
 def png_size(path):
     data = path.read_bytes()
@@ -80,7 +83,7 @@ class Cli(unittest.TestCase):
 
     def test_levels_agree_on_coverage(self):
         crc = set()
-        for level in ("coverage", "bit"):
+        for level in LEVELS:
             stats = self.out / "s.json"
             self.succeed("render", SCENES / "bunny.obj", "--out", self.out / "b.png",
                          "--stats", stats, "--level", level)
@@ -95,7 +98,7 @@ class Cli(unittest.TestCase):
         self.assertEqual(json.loads(stats.read_text())["coverage_crc32"], zlib.crc32(image))
 
     def test_driver_cases_have_no_wrong_pixel(self):
-        for level in ("bit", "coverage"):
+        for level in LEVELS:
             out = self.out / f"{level}.tcov"
             self.succeed("coverage", PUBLIC, "--out", out, "--level", level)
             self.assertEqual(self.pictures(out), self.pictures(PUBLIC))
@@ -144,6 +147,50 @@ class Cli(unittest.TestCase):
         for command in ("render", "coverage", "config"):
             self.assertIn("Example: halfspace " + command,
                           self.succeed(command, "--help").stdout)
+
+    def test_model_and_rtl_draw_the_same_picture_in_the_same_clocks(self):
+        drawn = set()
+        for level in LEVELS[2:]:
+            stats = self.out / "s.json"
+            self.succeed("render", SCENES / "teapot.obj", "--out", self.out / "t.png",
+                         "--stats", stats, "--level", level)
+            told = json.loads(stats.read_text())
+            drawn.add(((self.out / "t.png").read_bytes(), told["cycles"], told["tiles_covered"],
+                       told["samples_covered"], told["tiles_visited"], told["fragments_shaded"]))
+        self.assertEqual(len(drawn), 1)
+        self.succeed("render", SCENES / "teapot.obj", "--out", self.out / "b.png")
+        self.assertEqual((self.out / "t.png").read_bytes(), (self.out / "b.png").read_bytes())
+
+    @unittest.skipUnless(HAS_RTL, "built without RTL")
+    def test_cosim_says_identical_and_how_much_it_compared(self):
+        for config in ("tiny", "full", "d3d", "msaa4"):
+            stats = self.out / "s.json"
+            done = self.succeed("cosim", SCENES / "bunny.obj", "--config", config, "--stall", "0.3",
+                                "--seed", "7", "--stats", stats)
+            self.assertIn("identical in bits and clocks", done.stdout)
+            told = json.loads(stats.read_text())
+            self.assertTrue(told["identical"])
+            self.assertGreater(told["packets_compared"], 10000)
+            for key in ("cycles", "utilisation", "pixels_per_clock", "sample_test_efficiency",
+                        "tiles_visited", "tiles_covered", "rtl_clocks_per_second"):
+                self.assertIn(key, told)
+
+    @unittest.skipUnless(HAS_RTL, "built without RTL")
+    def test_cosim_that_compared_nothing_fails(self):
+        empty = self.out / "empty.tcov"
+        empty.write_text("TCOV 1 1\ncase 1 t 8 8 0 0 0 0\n")
+        done = self.run_program("cosim", empty)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("nothing was compared", done.stderr)
+        empty.write_text("TCOV 1 2\ncase 1 t 8 8 0 0 0 0\n")
+        self.refuse("HS020", "cosim", empty)
+        self.refuse("HS001", "cosim", SCENES / "teapot.obj", "--stall", "1.5", says="1.5")
+
+    @unittest.skipUnless(HAS_RTL, "built without RTL")
+    def test_a_configuration_without_rtl_is_refused(self):
+        self.refuse("HS040", "cosim", SCENES / "teapot.obj", "--samples", "8", says="tiny")
+        self.refuse("HS040", "render", SCENES / "teapot.obj", "--out", self.out / "x.png",
+                    "--level", "rtl", "--samples", "8")
 
     # --- how it fails -----------------------------------------------------------------------------
 

@@ -113,7 +113,9 @@ TEST_P(Cosim, DriverCasesThatFit) {
     expect_identical(triangles, {tcov.width, tcov.height, Cull::kNone}, 0.1, fitting);
   }
   EXPECT_GT(fitting, config().viewport_bits >= 8 ? 150u : 0u);
-  if (config().guard_bits >= 13) EXPECT_EQ(fitting, 320u);
+  if (config().guard_bits >= 13) {
+    EXPECT_EQ(fitting, 320u);
+  }
 }
 
 TEST_P(Cosim, TheTeapot) {
