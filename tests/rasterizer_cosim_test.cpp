@@ -145,6 +145,21 @@ INSTANTIATE_TEST_SUITE_P(All, Cosim,
                                          Named{"one_level", kTestOneLevel}),
                          [](const auto& info) { return std::string(info.param.name); });
 
+// A second model for the waves around a difference lives beside the first and ends before it.
+TEST(RtlModel, TwoModelsLiveAndEndIndependently) {
+  const std::unique_ptr<RtlRasterizer> first = make_rtl_rasterizer(kTiny);
+  const std::vector<Triangle> one{{{{{0, 0}, {0, 200}, {200, 0}}}, 0}};
+  const auto run = [&one](RtlRasterizer& rtl) {
+    return cosim(rtl, one, {64, 64, Cull::kNone}, kTiny, {}).mismatch.has_value();
+  };
+  {
+    const std::unique_ptr<RtlRasterizer> second = make_rtl_rasterizer(kTiny);
+    EXPECT_FALSE(run(*second));
+    EXPECT_FALSE(run(*first));
+  }
+  EXPECT_FALSE(run(*first));
+}
+
 // --- Throughput: facts in clocks, of the RTL. The table is in docs/03_design/throughput.md.
 // --------
 

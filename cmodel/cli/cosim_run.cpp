@@ -10,10 +10,12 @@
 #include "../io/config_json.hpp"
 #include "../io/error.hpp"
 #include "../io/output_file.hpp"
+#include "../io/trace.hpp"
 #include "command.hpp"
 #include "cosim.hpp"
 #include "progress.hpp"
 #include "rtl_link.hpp"
+#include "rtl_trace.hpp"
 #include "scene.hpp"
 
 namespace halfspace {
@@ -144,6 +146,32 @@ std::string replay_command(const CosimRequest& request, const Scene& scene, std:
   return command + " --trace waves.fst";
 }
 
+// Waves are cosim()'s own to write; traces of handshakes take a run of each side.
+bool is_wave_file(const std::string& path) { return path.ends_with(".fst"); }
+
+void check_trace(const std::string& path, std::size_t frames) {
+  if (path.empty()) return;
+  if (!is_wave_file(path) && !is_trace_file(path)) {
+    throw Error(ErrorCode::kUsage, "--trace",
+                fmt::format("'{}' does not end in .json, .kanata.gz or .fst", path));
+  }
+  if (frames > 1) {
+    throw Error(ErrorCode::kUsage, "--trace",
+                fmt::format("the file has {} cases: choose one with --case", frames));
+  }
+  check_writable(path);
+}
+
+void write_traces(const std::string& path, RtlRasterizer& rtl, const Frame& frame,
+                  const Config& config, const Stalls& stalls) {
+  write_trace(model_trace_path(path), trace_model(frame.triangles, frame.state, config, stalls));
+  try {
+    write_trace(path, trace_rtl(rtl, frame.triangles, frame.state, stalls));
+  } catch (const std::runtime_error& error) {  // an RTL that differs from the model may do anything
+    fmt::print(stderr, "halfspace: note: no trace of the RTL: {}\n", error.what());
+  }
+}
+
 // The frame's triangles; false when a TCOV case does not fit the configuration.
 bool load_frame(const Scene& scene, const CosimRequest& request, const Config& config, Frame& frame,
                 Totals& totals) {
@@ -174,9 +202,9 @@ int run_cosim(const CosimRequest& request) {
   const Config config = request.config.load();
   require_rtl(config, "--config");
   if (!request.stats.empty()) check_writable(request.stats);
-  if (!request.trace.empty()) check_writable(request.trace);
   const std::unique_ptr<Scene> scene = open_scene(
       request.in, request.case_id, frame_size(request.size, config), {}, Lighting::kGouraud);
+  check_trace(request.trace, scene->frames());
   const std::unique_ptr<RtlRasterizer> rtl = make_rtl_rasterizer(config);
 
   Totals totals;
@@ -187,13 +215,16 @@ int run_cosim(const CosimRequest& request) {
     Progress progress("comparing triangles", frame.triangles.size());
     std::uint64_t shown = 0;
     CosimOptions options{.stalls = Stalls(request.stall, request.seed + i),
-                         .trace = request.trace,
+                         .trace = is_wave_file(request.trace) ? request.trace : std::string(),
                          .progress = [&](std::uint64_t done) {
                            progress.advance(done - shown);
                            shown = done;
                          }};
     const CosimResult result = cosim(*rtl, frame.triangles, frame.state, config, options);
     totals.add(result);
+    if (is_trace_file(request.trace)) {
+      write_traces(request.trace, *rtl, frame, config, options.stalls);
+    }
     if (!result.mismatch) continue;
     mismatch = result.mismatch;
     options.progress = nullptr;

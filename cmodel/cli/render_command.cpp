@@ -13,9 +13,11 @@
 #include "../io/output_file.hpp"
 #include "../io/png_file.hpp"
 #include "../io/tcov.hpp"
+#include "../io/trace.hpp"
 #include "command.hpp"
 #include "level_run.hpp"
 #include "pictures.hpp"
+#include "rtl_link.hpp"
 #include "scene.hpp"
 
 namespace halfspace {
@@ -165,6 +167,37 @@ class FrameRun {
   RunStats& stats_;
 };
 
+void check_trace(const std::string& path, Level level) {
+  if (level != Level::kCycle && level != Level::kRtl) {
+    throw Error(ErrorCode::kLevel, "--trace", "traces need level cycle or rtl");
+  }
+  if (!is_trace_file(path)) {
+    throw Error(ErrorCode::kUsage, "--trace",
+                fmt::format("'{}' does not end in .json or .kanata.gz", path));
+  }
+  check_writable(path);
+}
+
+// The handshakes of the frame, in a run of their own.
+void write_level_trace(const std::string& path, Level level, const Scene& scene, Cull cull,
+                       const Config& config) {
+  if (scene.frames() > 1) {
+    throw Error(ErrorCode::kUsage, "--trace",
+                fmt::format("the file has {} cases: choose one with --case", scene.frames()));
+  }
+  FrameState frame = scene.frame(0, config);
+  frame.cull = cull;
+  RunStats unused;
+  std::vector<Triangle> triangles;
+  scene.draw(0, frame, config, unused,
+             [&](const ShadedTriangle& triangle) { triangles.push_back(triangle.triangle); });
+  if (level == Level::kRtl) {
+    write_rtl_trace(path, triangles, frame, config);
+  } else {
+    write_trace(path, trace_model(triangles, frame, config, Stalls()));
+  }
+}
+
 void run_render(const RenderOptions& options) {
   const Clock::time_point start = Clock::now();
   const Level level = parse_level(options.level);
@@ -174,9 +207,7 @@ void run_render(const RenderOptions& options) {
   const Config config = options.config.load();
   require_level(level, config);
   const FrameSize size = frame_size(options.size, config);
-  if (!options.trace.empty()) {
-    throw Error(ErrorCode::kLevel, "--trace", "traces need level cycle or rtl");
-  }
+  if (!options.trace.empty()) check_trace(options.trace, level);
   check_writable(options.out);
   if (!options.stats.empty()) check_writable(options.stats);
   const std::unique_ptr<Scene> scene =
@@ -202,6 +233,7 @@ void run_render(const RenderOptions& options) {
   write_png(options.out, contact_sheet(images));
   stats.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (!options.stats.empty()) write_stats(options.stats, stats, config);
+  if (!options.trace.empty()) write_level_trace(options.trace, level, *scene, cull, config);
 }
 
 }  // namespace

@@ -15,6 +15,11 @@ std::uint64_t rasterize_rtl(std::span<const Triangle>, const FrameState&, const 
   return 0;
 }
 
+void write_rtl_trace(const std::string&, std::span<const Triangle>, const FrameState&,
+                     const Config& config) {
+  require_rtl(config, "--trace");
+}
+
 int run_cosim(const CosimRequest& request) {
   require_rtl(request.config.load(), "cosim");
   return 1;

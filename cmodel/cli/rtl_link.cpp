@@ -8,6 +8,7 @@
 
 #include "../io/error.hpp"
 #include "cosim.hpp"
+#include "rtl_trace.hpp"
 
 namespace halfspace {
 namespace {
@@ -28,6 +29,17 @@ std::uint64_t rasterize_rtl(std::span<const Triangle> triangles, const FrameStat
                             const std::function<void(const CoverageTile&)>& tile) {
   try {
     return run_rtl(*open_rtl(config, "--level"), triangles, frame, {}, tile).clocks;
+  } catch (const std::runtime_error& error) {
+    throw Error(ErrorCode::kInternal, "rtl", error.what());
+  }
+}
+
+void write_rtl_trace(const std::string& path, std::span<const Triangle> triangles,
+                     const FrameState& frame, const Config& config) {
+  try {
+    write_trace(path, trace_rtl(*open_rtl(config, "--trace"), triangles, frame, {}));
+  } catch (const Error&) {
+    throw;
   } catch (const std::runtime_error& error) {
     throw Error(ErrorCode::kInternal, "rtl", error.what());
   }

@@ -24,4 +24,8 @@ std::uint64_t rasterize_rtl(std::span<const Triangle> triangles, const FrameStat
                             const Config& config,
                             const std::function<void(const CoverageTile&)>& tile);
 
+// The handshakes of level rtl, into a file (io/trace.hpp). Throws as rasterize_rtl().
+void write_rtl_trace(const std::string& path, std::span<const Triangle> triangles,
+                     const FrameState& frame, const Config& config);
+
 }  // namespace halfspace

@@ -17,12 +17,12 @@ struct RunStats {
   std::string level;
   GeometryStats geometry;
   RasterStats raster;
-  std::uint64_t cases = 0;          // frames rendered: 1, or the TCOV file's cases
-  std::uint64_t resnapped = 0;      // TCOV coordinates finer than the configuration's subpixels
-  std::uint64_t tiles_touched = 0;  // framebuffer tiles that got storage
+  std::uint64_t cases = 0;              // frames rendered: 1, or the TCOV file's cases
+  std::uint64_t resnapped = 0;          // TCOV coordinates finer than the configuration's subpixels
+  std::uint64_t tiles_touched = 0;      // framebuffer tiles that got storage
   std::optional<std::uint64_t> cycles;  // levels cycle and rtl: clocks of all frames
-  std::uint32_t crc = 0;            // CRC-32 of the hit counts of all frames, in order
-  double simulate_seconds = 0;      // without loading and writing files
+  std::uint32_t crc = 0;                // CRC-32 of the hit counts of all frames, in order
+  double simulate_seconds = 0;          // without loading and writing files
   double wall_seconds = 0;
 };
 

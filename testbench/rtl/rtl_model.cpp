@@ -110,6 +110,7 @@ class Model final : public RtlRasterizer {
     reset(2);
   }
   ~Model() override {
+    use_context();
     close_trace();
     top_.final();
   }
@@ -117,6 +118,7 @@ class Model final : public RtlRasterizer {
   const Config& config() const override { return kConfig; }
 
   void reset(int clocks) override {
+    use_context();
     top_.rst_ni = 0;
     drive(nullptr, false);
     for (int i = 0; i < clocks; ++i) clock();
@@ -220,6 +222,7 @@ class Model final : public RtlRasterizer {
   bool busy() const override { return top_.busy_o != 0; }
 
   void open_trace(const std::string& path) override {
+    use_context();
     trace_ = std::make_unique<VerilatedFstC>();
     top_.trace(trace_.get(), 99);
     trace_->open(path.c_str());
@@ -230,6 +233,10 @@ class Model final : public RtlRasterizer {
   }
 
  private:
+  // Verilator finds the context through a thread-wide pointer, which another model's end leaves
+  // dangling: with two models alive the second destructor would wait for ever.
+  void use_context() { Verilated::threadContextp(&context_); }
+
   const HS_JOIN(HS_PREFIX, ___024root) & root() const { return *top_.rootp; }
 
   // The node that waits at level `level`, cut out of the concatenation of all of them.

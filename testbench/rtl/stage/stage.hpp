@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One stage of the RTL by itself, Verilated: packets in and out, one clock at a time.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "config.hpp"
+#include "layout.hpp"
+
+namespace halfspace {
+
+class StageRtl {
+ public:
+  virtual ~StageRtl() = default;
+
+  // Holds reset; everything inside is lost.
+  virtual void reset(int clocks) = 0;
+  // triangle_setup only; stable while busy().
+  virtual void set_frame(const FrameState& frame) = 0;
+
+  // Inputs of the coming clock edge: a packet (null: none), and whether the output is taken.
+  virtual void drive(const PortWords* packet, bool ready) = 0;
+  // After drive(): what the edge will do.
+  virtual bool accepts() const = 0;
+  virtual bool emits() const = 0;
+  virtual bool busy() const = 0;
+  virtual PortWords out() const = 0;
+
+  // The edge. Throws std::runtime_error when an assertion in the RTL fired.
+  virtual void clock() = 0;
+};
+
+// A stage of a configuration. level: of the pyramid, for tile_traversal.
+struct StageVariant {
+  const char* name;
+  Config config;
+  int level;
+  std::unique_ptr<StageRtl> (*make)();
+};
+
+std::span<const StageVariant> triangle_setup_stages();
+std::span<const StageVariant> tile_traversal_stages();
+std::span<const StageVariant> coverage_stages();
+
+// hs_half_plane_grid: a register in front of logic, no handshake.
+class GridRtl {
+ public:
+  virtual ~GridRtl() = default;
+  // A clock edge with these inputs.
+  virtual void clock(std::int64_t base, EdgeSlope slope, bool load) = 0;
+  virtual GridMask covered() const = 0;
+  virtual std::int64_t ab() const = 0;  // A + B
+};
+
+struct GridVariant {
+  const char* name;
+  Config config;
+  int side;  // lanes
+  std::unique_ptr<GridRtl> (*make)();
+};
+std::span<const GridVariant> half_plane_grid_stages();
+
+}  // namespace halfspace
