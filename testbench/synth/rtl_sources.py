@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where the RTL is and in which order it is read."""
+import pathlib
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+RTL = ROOT / "rtl"
+PRESETS = sorted(p.name for p in (RTL / "config").iterdir() if p.is_dir())
+TEST_CONFIGS = sorted(p.name for p in (ROOT / "testbench/rtl/config").iterdir() if p.is_dir())
+TOP = "hs_rasterizer"
+
+
+def listed(folder, name):
+    """The files that list `folder/name` names, in its order."""
+    return [folder / line for line in (folder / name).read_text().split()]
+
+
+def config(name):
+    """The package of a preset or of a test configuration."""
+    folder = RTL / "config" if name in PRESETS else ROOT / "testbench/rtl/config"
+    return folder / name / "hs_config_pkg.sv"
+
+
+def design():
+    """All modules of the design."""
+    return listed(RTL, "rtl.f")
+
+
+def checkers():
+    """The bound checkers, Verilator only."""
+    return listed(RTL / "checkers", "checkers.f")
+
+
+def yosys_read(name):
+    """The yosys commands that read a configuration and elaborate it."""
+    files = " ".join(str(f) for f in [config(name), *design()])
+    return f"read_verilog -sv {files}; hierarchy -check -top {TOP}"

@@ -1,0 +1,104 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The RTL is clean in every configuration, and written in the subset that every tool reads alike.
+
+- verilator --lint-only -Wall with the bound checkers, waivers only those of rtl/hs_lint.vlt
+- yosys reads it, elaborates it, and check -assert finds nothing
+- no construct that one of the tools does not read, or reads differently
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(ROOT / "testbench/synth"))
+from rtl_sources import PRESETS, RTL, TEST_CONFIGS, TOP, checkers, config, design, yosys_read
+
+DECLARED = re.compile(r"^\s*(?:(?:input|output)\s+)?(?:localparam\s+|parameter\s+)?"
+                      r"(logic|bit|int|integer|genvar|[\w:]+_t)\b\s*(?:signed\b|unsigned\b)?\s*"
+                      r"((?:\[[^\]]*\]\s*)*)(.*)")
+# What a line must not hold, and why.
+BANNED = [
+    (re.compile(r"\bimport\b"), "import: yosys does not read it"),
+    (re.compile(r"\breturn\b"), "return: yosys does not read it"),
+    (re.compile(r"'\{"), "an assignment pattern: yosys does not read it"),
+    (re.compile(r"\binside\b"), "inside: yosys does not read it"),
+    (re.compile(r"\b(parameter|localparam)\s+type\b"), "a parameter type: yosys does not read it"),
+    (re.compile(r"\b(interface|modport|class|union|queue)\b"), "beyond the subset"),
+    (re.compile(r"\b(assert|assume|cover)\s+(property|\()"), "an assertion belongs to checkers/"),
+    (re.compile(r"^\s*initial\b"), "an initial value: state begins with rst_ni"),
+    (re.compile(r"\balways\b(?!_)"), "plain always: always_ff or always_comb"),
+]
+
+
+def faults(line):
+    """What is wrong with one line of SystemVerilog."""
+    code = re.sub(r"//.*|/\*.*?\*/", "", line)
+    found = [why for pattern, why in BANNED if pattern.search(code)]
+    declared = DECLARED.match(code)
+    if declared:
+        kind, packed, names = declared.groups()
+        if kind.endswith("_t") and packed:
+            found.append("an array of structs: yosys miscompiles it silently")
+        if packed.count("[") > 1:
+            found.append("an array of two dimensions: tools differ")
+        names = names.split("=")[0]
+        if re.match(r"\w+\s*\[", names) or re.search(r",\s*\w+\s*\[", names):
+            found.append("an unpacked array: yosys miscompiles it silently")
+    return found
+
+
+class RtlLint(unittest.TestCase):
+    def run_tool(self, *command):
+        done = subprocess.run([str(c) for c in command], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout[-3000:] + done.stderr[-3000:])
+
+    def test_verilator_warns_of_nothing(self):
+        for name in [*PRESETS, *TEST_CONFIGS]:
+            with self.subTest(config=name):
+                self.run_tool("verilator", "--lint-only", "-Wall", "--assert", "--top-module", TOP,
+                              RTL / "hs_lint.vlt", config(name), *design(), *checkers())
+        print(f"verilator: {len(PRESETS)} presets and {len(TEST_CONFIGS)} test configurations")
+
+    def test_yosys_finds_no_problem(self):
+        for name in [*PRESETS, *TEST_CONFIGS]:
+            with self.subTest(config=name):
+                self.run_tool("yosys", "-q", "-p", f"{yosys_read(name)}; proc; check -assert")
+        print(f"yosys: {len(PRESETS)} presets and {len(TEST_CONFIGS)} test configurations")
+
+    def test_every_module_is_listed(self):
+        self.assertEqual(sorted(design()), sorted(RTL.glob("*.sv")))
+        self.assertEqual(sorted(checkers()), sorted((RTL / "checkers").glob("*.sv")))
+
+    def test_source_stays_in_the_subset(self):
+        lines = 0
+        for path in design():
+            for number, line in enumerate(path.read_text().splitlines(), 1):
+                lines += 1
+                self.assertEqual(faults(line), [], f"{path.relative_to(ROOT)}:{number}: {line}")
+        self.assertGreater(lines, 500)
+        print(f"subset: {len(design())} files, {lines} lines, {len(BANNED) + 3} rules")
+
+    def test_rules_of_the_subset_bite(self):
+        bad = ["import hs_pkg::*;", "  hs_pkg::edge_t [2:0] edges;", "  hs_pkg::edge_t edges [3];",
+               "  logic [3:0] a [4];", "  logic [3:0] a, b [4];", "  logic [3:0][1:0] a;",
+               "  input  logic [7:0] a_i [2],", "    return a;", "  a = '{default: 0};",
+               "  if (a inside {1, 2})", "  parameter type T = logic,", "  initial a = 0;",
+               "  always @(posedge clk_i) a <= b;", "  assert property (a |-> b);"]
+        good = ["  logic [3:0] a, b;", "  assign a = b[3:0];", "  hs_pkg::edge_t edge0, edge1;",
+                "  localparam logic [3:0] A = B[3:0];", "  // import nothing, return nothing",
+                "  logic signed [hs_pkg::N-1:0] a, b;", "  always_comb begin"]
+        for line in bad:
+            self.assertNotEqual(faults(line), [], line)
+        for line in good:
+            self.assertEqual(faults(line), [], line)
+        print(f"rules: {len(bad)} bad lines refused, {len(good)} good ones let through")
+
+
+if __name__ == "__main__":
+    if not PRESETS or not TEST_CONFIGS:
+        sys.exit("no configurations found: nothing would be compared")
+    unittest.main()

@@ -1,0 +1,179 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The testbench bites: each fault put into a copy of the RTL is found, and its stage named.
+
+A fault counts as found when cosim reports a mismatch of a stage, a bound checker fails, or the
+compiler refuses a width that differs from the model's. The RTL without a fault must pass.
+
+MUTANT_LIBRARIES names the libraries to link, with commas, the dependent ones first:
+halfspace_generators and halfspace_cmodel.
+"""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(ROOT / "testbench/synth"))
+from rtl_sources import RTL, TOP, listed
+
+LIBRARIES = os.environ["MUTANT_LIBRARIES"].split(",")
+CXX = [*(["ccache"] if shutil.which("ccache") else []), os.environ.get("CXX", "g++"), "-std=c++20"]
+INCLUDE = [f"-I{ROOT / 'cmodel'}", f"-I{ROOT / 'testbench'}", f"-I{ROOT / 'testbench/rtl'}"]
+
+# What goes wrong, the file, the text and what replaces it. A text occurs exactly once.
+MUTANTS = [
+    ("doubled area one bit narrower", "hs_pkg.sv",
+     "2 * K + 2 * S + 3 : 2 * N + 2 * S + 2;", "2 * K + 2 * S + 2 : 2 * N + 2 * S + 1;"),
+    ("constant's carry lost at the split of y", "hs_setup_edge.sv",
+     "{high3 + low3, low3_q[Low-1:0]}", "{high3, low3_q[Low-1:0]}"),
+    ("left edges not owned", "hs_setup_edge.sv",
+     "assign top_left = a_above ||", "assign top_left = (a_above && !b_above) ||"),
+    ("box's last pixel one too far", "hs_setup_box.sv",
+     "LastStep = -1 - Low;", "LastStep = -Low;"),
+    ("cull modes swapped", "hs_triangle_setup.sv",
+     "hs_pkg::CULL_BACK: culled = !flipped5;\n      hs_pkg::CULL_FRONT: culled = flipped5;",
+     "hs_pkg::CULL_BACK: culled = flipped5;\n      hs_pkg::CULL_FRONT: culled = !flipped5;"),
+    ("triangle of no area not dropped", "hs_triangle_setup.sv",
+     "dropped6_q <= area5_q == '0 || culled", "dropped6_q <= culled"),
+    ("sign test of a lane flipped", "hs_half_plane_grid.sv",
+     "assign covered[0]    = !left[Lane-1];", "assign covered[0]    = left[Lane-1];"),
+    ("edge value at a child one bit narrower", "hs_child_step.sv",
+     "ChildBits = hs_pkg::NODE_BASE_BITS + ChildLog2;",
+     "ChildBits = hs_pkg::NODE_BASE_BITS + ChildLog2 - 1;"),
+    ("saturation removed", "hs_child_step.sv",
+     "assign over = !sum[NodeBits] && |sum[NodeBits-1:ChildBits-1];", "assign over = 1'b0;"),
+    ("FIFO of one entry", "hs_fifo.sv",
+     "assign ready_o   = !spare_valid_q;", "assign ready_o   = !head_valid_q;"),
+    ("a register more between setup and root", "hs_rasterizer.sv",
+     "assign link_valid[0]        = setup_valid;\n  assign link_node[0 +: Bits] = root;\n"
+     "  assign setup_ready          = link_ready[0];",
+     "hs_fifo #(.Bits(Bits)) u_more (.clk_i, .rst_ni, .valid_i(setup_valid), .ready_o(setup_ready),"
+     " .data_i(root), .valid_o(link_valid[0]), .ready_i(link_ready[0]), "
+     ".data_o(link_node[0 +: Bits]));"),
+    ("a node stays after it was tested", "hs_tile_traversal.sv",
+     "ready[2] = !valid_q[2] || ready[3];", "ready[2] = !valid_q[2];"),
+    ("a node without a live child waits", "hs_tile_traversal.sv",
+     "ready[3] = !valid_q[3] || !live3 || ready[4];", "ready[3] = !valid_q[3] || ready[4];"),
+    ("empty tiles leave", "hs_coverage.sv",
+     "assign covered4   = |coverage4_q.mask;", "assign covered4   = 1'b1;"),
+]
+
+
+def run(command, cwd):
+    done = subprocess.run([str(c) for c in command], cwd=cwd, capture_output=True, text=True,
+                          timeout=300)
+    return done.returncode, done.stdout + done.stderr
+
+
+def must(command, cwd):
+    code, text = run(command, cwd)
+    if code != 0:
+        sys.exit(f"rtl_mutants: {command[0]} failed:\n{text[-3000:]}")
+
+
+def compile_common(folder):
+    """What all mutants share: Verilator's runtime, cosim and the program."""
+    root = subprocess.run(["verilator", "--getenv", "VERILATOR_ROOT"], check=True,
+                          capture_output=True, text=True).stdout.strip()
+    include = pathlib.Path(root) / "include"
+    # The defines of Verilator's own makefile: the model's header looks at them too.
+    flags = [f"-I{include}", f"-I{include}/vltstd", "-DVM_COVERAGE=0", "-DVM_SC=0", "-DVM_TRACE=1",
+             "-DVM_TRACE_FST=1", "-DVM_TRACE_VCD=0", "-DVL_TIME_CONTEXT", "-O0", "-w"]
+    sources = [include / "verilated.cpp", include / "verilated_fst_c.cpp",
+               ROOT / "testbench/rtl/cosim.cpp", ROOT / "testbench/synth/mutant_run.cpp"]
+    threads = include / "verilated_threads.cpp"
+    if threads.exists():
+        sources.append(threads)
+    objects = []
+    for source in sources:
+        objects.append(folder / f"{source.stem}.o")
+        must([*CXX, *flags, *INCLUDE, "-c", source, "-o", objects[-1]], folder)
+    return flags, objects
+
+
+def build(rtl, folder, flags, objects):
+    """Compiles one RTL; the program, or what the compiler says."""
+    sources = [rtl / "config/tiny/hs_config_pkg.sv", *listed(rtl, "rtl.f"),
+               *listed(rtl / "checkers", "checkers.f")]
+    code, text = run(["verilator", "--cc", "--assert", "--trace-fst", "--trace-depth", "1",
+                      "-Wno-fatal", "-Wno-lint", "-Wno-style", "--x-assign", "unique",
+                      "--x-initial", "unique", "-O3", "--top-module", TOP, "--prefix", "Vrtl_tiny",
+                      "--Mdir", "model", *sources], folder)
+    if code != 0:
+        return None, text
+    parts = sorted((folder / "model").glob("*.cpp")) + [ROOT / "testbench/rtl/rtl_model.cpp"]
+    (folder / "all.cpp").write_text("".join(f'#include "{part}"\n' for part in parts))
+    defines = ["-DHS_NAME=tiny", "-DHS_PREFIX=Vrtl_tiny", "-DHS_CONFIG=kTiny",
+               '-DHS_HEADER="Vrtl_tiny.h"', '-DHS_ROOT_HEADER="Vrtl_tiny___024root.h"',
+               '-DHS_CONFIG_HEADER="Vrtl_tiny_hs_config_pkg.h"',
+               '-DHS_PKG_HEADER="Vrtl_tiny_hs_pkg.h"']
+    code, text = run([*CXX, *flags, *INCLUDE, *defines, f"-I{folder / 'model'}", "-c", "all.cpp",
+                      "-o", "all.o"], folder)
+    if code != 0:
+        return None, text
+    program = folder / "cosim"
+    must([CXX[-2], "all.o", *objects, *LIBRARIES, "-lfmt", "-lz", "-lpthread", "-o", program],
+         folder)
+    return program, ""
+
+
+def outcome(rtl, folder, flags, objects):
+    """(passed, the line that says what was found)"""
+    program, text = build(rtl, folder, flags, objects)
+    if program is None:
+        refused = re.search(r".*static assertion failed.*", text)
+        if refused is None:
+            sys.exit("rtl_mutants: does not build:\n" + text[-3000:])
+        expression = re.search(r"\d+ \| (static_assert.*)", text)
+        return False, "compiler: " + (expression[1] if expression else refused[0])
+    code, text = run([program], folder)
+    mismatch = re.search(r"mismatch: .*", text)
+    if code == 0 and mismatch is None:
+        return True, "; ".join(text.split("\n")).strip("; ")
+    failed = re.search(r"%Error: (.*)", text)
+    if mismatch is None:
+        sys.exit(f"rtl_mutants: ended with {code} and no mismatch:\n{text[-3000:]}")
+    if "stage=assertion" in mismatch[0]:
+        where = re.search(r"Assertion failed in (.*)", text)
+        return False, "checker: " + (where or failed)[0]
+    return False, mismatch[0]
+
+
+def main():
+    killed, start = 0, time.monotonic()
+    with tempfile.TemporaryDirectory() as name:
+        common = pathlib.Path(name)
+        flags, objects = compile_common(common)
+        for number, mutant in enumerate([None, *MUTANTS]):
+            folder = common / f"mutant{number}"
+            rtl = folder / "rtl"
+            shutil.copytree(RTL, rtl)
+            if mutant is not None:
+                what, file, before, after = mutant
+                text = (rtl / file).read_text()
+                if text.count(before) != 1:
+                    sys.exit(f"rtl_mutants: {file} holds {text.count(before)} of: {before}")
+                (rtl / file).write_text(text.replace(before, after))
+            passed, line = outcome(rtl, folder, flags, objects)
+            seconds = time.monotonic() - start
+            if mutant is None:
+                print(f"no fault: {line}  [{seconds:.0f} s]", flush=True)
+                if not passed or "packets equal" not in line:
+                    sys.exit("rtl_mutants: the RTL without a fault does not pass")
+            else:
+                killed += not passed
+                verdict = "SURVIVES" if passed else "found"
+                print(f"{verdict}: {what} ({file}): {line}  [{seconds:.0f} s]", flush=True)
+            shutil.rmtree(folder)
+    print(f"rtl_mutants: {killed} of {len(MUTANTS)} faults found")
+    sys.exit(0 if killed == len(MUTANTS) and MUTANTS else 1)
+
+
+if __name__ == "__main__":
+    main()
