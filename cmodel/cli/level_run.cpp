@@ -10,19 +10,33 @@
 namespace halfspace {
 namespace {
 
-// What CycleModel tells its listener, passed on to LevelRun's callbacks.
+// Triangles that level cycle takes together.
+constexpr std::size_t kCycleTriangles = 1024;
+
+// What the cycle engine tells its listener, passed on to LevelRun's callbacks.
 struct Forward {
-  const ShadedTriangle& triangle;
+  static constexpr bool kWantsSetup = true;
+  static constexpr bool kWantsNodes = false;
+
+  const std::vector<ShadedTriangle>& triangles;
   const LevelRun::Begin& begin;
   const LevelRun::Tile& to;
+  std::size_t accepted_count = 0;
 
-  void accepted(Timing::Clock) const {}
+  void accepted(Timing::Clock) { ++accepted_count; }
   void setup(Timing::Clock, const SetupTriangle& packet) const {
-    if (begin) begin(triangle, packet);
+    if (begin) begin(triangles[accepted_count - 1], packet);
   }
   void node(int, Timing::Clock, const Node&) const {}
   void tile(Timing::Clock, const CoverageTile& packet) const { to(packet); }
 };
+
+std::vector<Triangle> positions(const std::vector<ShadedTriangle>& shaded) {
+  std::vector<Triangle> out;
+  out.reserve(shaded.size());
+  for (const ShadedTriangle& triangle : shaded) out.push_back(triangle.triangle);
+  return out;
+}
 
 }  // namespace
 
@@ -40,7 +54,10 @@ void LevelRun::draw(const ShadedTriangle& triangle) {
   switch (level_) {
     case Level::kCoverage: cover(triangle.triangle, frame_, config_, stats_.raster, tile_); break;
     case Level::kBit: draw_bit(triangle); break;
-    case Level::kCycle: draw_cycle(triangle); break;
+    case Level::kCycle:
+      waiting_.push_back(triangle);
+      if (waiting_.size() == kCycleTriangles) flush_cycle();
+      break;
     case Level::kRtl: waiting_.push_back(triangle); break;
   }
 }
@@ -54,13 +71,15 @@ void LevelRun::draw_bit(const ShadedTriangle& triangle) {
       [](const Node&, int, bool) {}, tile_);
 }
 
-void LevelRun::draw_cycle(const ShadedTriangle& triangle) {
-  cycle_.draw(triangle.triangle, Forward{triangle, begin_, tile_});
+void LevelRun::flush_cycle() {
+  cycle_.draw(positions(waiting_), Forward{waiting_, begin_, tile_});
+  waiting_.clear();
 }
 
 void LevelRun::finish() {
   const auto start = std::chrono::steady_clock::now();
   if (level_ == Level::kCycle) {
+    flush_cycle();
     stats_.raster += cycle_.stats();
     stats_.cycles = stats_.cycles.value_or(0) + cycle_.clocks();
   }
@@ -70,9 +89,7 @@ void LevelRun::finish() {
 }
 
 void LevelRun::finish_rtl() {
-  std::vector<Triangle> triangles;
-  triangles.reserve(waiting_.size());
-  for (const ShadedTriangle& triangle : waiting_) triangles.push_back(triangle.triangle);
+  const std::vector<Triangle> triangles = positions(waiting_);
   // Tiles come in the order of the triangles, so a tag that changes names a later triangle.
   const std::uint64_t mask = (std::uint64_t{1} << config_.tag_bits) - 1;
   std::uint64_t current = 0;

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "../cycle_model.hpp"
+#include "../batch/cycle_engine.hpp"
 #include "../io/stats_json.hpp"
 #include "command.hpp"
 
@@ -21,7 +21,8 @@ class LevelRun {
   LevelRun(Level level, const FrameState& frame, const Config& config, RunStats& stats, Begin begin,
            Tile tile);
 
-  // The next triangle. Its tiles come now, or, at level rtl, in finish().
+  // The next triangle. Its tiles come now; at level cycle some triangles later, at level rtl in
+  // finish().
   void draw(const ShadedTriangle& triangle);
 
   // After the last triangle: adds the frame's counts to the stats. simulate_seconds grows by what
@@ -30,7 +31,7 @@ class LevelRun {
 
  private:
   void draw_bit(const ShadedTriangle& triangle);
-  void draw_cycle(const ShadedTriangle& triangle);
+  void flush_cycle();
   void finish_rtl();
 
   Level level_;
@@ -39,8 +40,8 @@ class LevelRun {
   RunStats& stats_;
   Begin begin_;
   Tile tile_;
-  CycleModel cycle_;
-  std::vector<ShadedTriangle> waiting_;  // level rtl
+  CycleEngine cycle_;
+  std::vector<ShadedTriangle> waiting_;  // levels cycle, a few, and rtl, all
 };
 
 }  // namespace halfspace

@@ -33,7 +33,7 @@ struct BenchRow {
 struct BenchOptions {
   std::vector<std::string> workloads;  // empty: all of bench_workloads()
   std::vector<std::string> isas;       // empty: all of coverage_isas()
-  std::vector<int> threads = {1};      // more than one: needs a pool, see CoverFunction
+  std::vector<int> threads = {1};      // of engine coverage
   int repetitions = 5;                 // interleaved: every engine runs once before any again
   double scale = 1;                    // of every workload's number of triangles
   bool bit = true;                     // also time level bit

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What everybody writes first: 64-bit edge functions at every pixel of the bounding box. The
+// What everybody writes first: 64-bit edge functions at every pixel of the bounding box, the
+// masks collected per 8x8 tile so that the output is an engine's. The
 // yardstick of the benchmarks; one sample per pixel.
 #pragma once
 
