@@ -4,14 +4,13 @@
 #include <chrono>
 #include <utility>
 
-#include "../batch/coverage_batch.hpp"
 #include "rtl_link.hpp"
 
 namespace halfspace {
 namespace {
 
-// Triangles that level cycle takes together.
-constexpr std::size_t kCycleTriangles = 1024;
+// Triangles that the batch engines take together.
+constexpr std::size_t kBatchTriangles = 1024;
 
 // What the cycle engine tells its listener, passed on to LevelRun's callbacks.
 struct Forward {
@@ -48,15 +47,16 @@ LevelRun::LevelRun(Level level, const FrameState& frame, const Config& config, R
       stats_(stats),
       begin_(std::move(begin)),
       tile_(std::move(tile)),
+      coverage_(frame, config),
       cycle_(frame, config, Stalls()) {}
 
 void LevelRun::draw(const ShadedTriangle& triangle) {
   switch (level_) {
-    case Level::kCoverage: cover(triangle.triangle, frame_, config_, stats_.raster, tile_); break;
     case Level::kBit: draw_bit(triangle); break;
+    case Level::kCoverage:
     case Level::kCycle:
       waiting_.push_back(triangle);
-      if (waiting_.size() == kCycleTriangles) flush_cycle();
+      if (waiting_.size() == kBatchTriangles) flush();
       break;
     case Level::kRtl: waiting_.push_back(triangle); break;
   }
@@ -71,15 +71,38 @@ void LevelRun::draw_bit(const ShadedTriangle& triangle) {
       [](const Node&, int, bool) {}, tile_);
 }
 
-void LevelRun::flush_cycle() {
-  cycle_.draw(positions(waiting_), Forward{waiting_, begin_, tile_});
+void LevelRun::flush() {
+  if (level_ == Level::kCycle) {
+    cycle_.draw(positions(waiting_), Forward{waiting_, begin_, tile_});
+  } else {
+    flush_coverage();
+  }
   waiting_.clear();
+}
+
+void LevelRun::flush_coverage() {
+  const std::vector<Triangle> triangles = positions(waiting_);
+  coverage_.cover(triangles, [&](const CoverageChunk& chunk) {
+    count_records(chunk, covered_);
+    for (std::size_t i = 0; i < chunk.triangle.size(); ++i) {
+      for_each_tile(chunk, i, triangles[chunk.triangle[i]].tag, tile_);
+    }
+  });
 }
 
 void LevelRun::finish() {
   const auto start = std::chrono::steady_clock::now();
+  if (level_ == Level::kCoverage) {
+    flush();
+    count_triangles(coverage_.counts(), covered_);
+    // The engine computes crossings, not tests: what it looked at is what it found.
+    covered_.tiles_visited = covered_.tiles_covered;
+    covered_.samples_tested =
+        covered_.tiles_covered * static_cast<std::uint64_t>(config_.lanes() * config_.samples);
+    stats_.raster += covered_;
+  }
   if (level_ == Level::kCycle) {
-    flush_cycle();
+    flush();
     stats_.raster += cycle_.stats();
     stats_.cycles = stats_.cycles.value_or(0) + cycle_.clocks();
   }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "../batch/coverage_engine.hpp"
 #include "../batch/cycle_engine.hpp"
 #include "../io/stats_json.hpp"
 #include "command.hpp"
@@ -21,8 +22,8 @@ class LevelRun {
   LevelRun(Level level, const FrameState& frame, const Config& config, RunStats& stats, Begin begin,
            Tile tile);
 
-  // The next triangle. Its tiles come now; at level cycle some triangles later, at level rtl in
-  // finish().
+  // The next triangle. Its tiles come now; at levels coverage and cycle some triangles later, at
+  // level rtl in finish().
   void draw(const ShadedTriangle& triangle);
 
   // After the last triangle: adds the frame's counts to the stats. simulate_seconds grows by what
@@ -31,7 +32,8 @@ class LevelRun {
 
  private:
   void draw_bit(const ShadedTriangle& triangle);
-  void flush_cycle();
+  void flush();
+  void flush_coverage();
   void finish_rtl();
 
   Level level_;
@@ -40,8 +42,10 @@ class LevelRun {
   RunStats& stats_;
   Begin begin_;
   Tile tile_;
+  CoverageEngine coverage_;
+  RasterStats covered_;  // level coverage
   CycleEngine cycle_;
-  std::vector<ShadedTriangle> waiting_;  // levels cycle, a few, and rtl, all
+  std::vector<ShadedTriangle> waiting_;  // levels coverage and cycle, a few, and rtl, all
 };
 
 }  // namespace halfspace

@@ -18,6 +18,7 @@
 #include <stdexcept>
 
 #include "bits.hpp"
+#include "ports.hpp"
 #include "rtl_configs.hpp"
 #include "rtl_rasterizer.hpp"
 
@@ -65,42 +66,6 @@ constexpr int kTriangleBits = 6 * kConfig.vertex_bits() + kTag;
 constexpr int kSetupBits = 6 * kDelta + 3 * kRoot + 4 * kN + 1 + kTag + kCorners;
 constexpr int kNodeBits = 2 * kN + 3 * kRoot + 6 * kDelta + 4 * kN + kTag + kCorners;
 constexpr int kCoverageBits = 2 * kN + kConfig.samples * kConfig.lanes() + kTag;
-
-// A port or signal of any width as 32-bit words.
-template <class Port>
-std::array<std::uint32_t, 2> narrow(const Port& port) {
-  return {static_cast<std::uint32_t>(port),
-          static_cast<std::uint32_t>(static_cast<std::uint64_t>(port) >> 32)};
-}
-template <class Port>
-class Words {
- public:
-  explicit Words(const Port& port) : words_(narrow(port)) {}
-  const std::uint32_t* data() const { return words_.data(); }
-
- private:
-  std::array<std::uint32_t, 2> words_;
-};
-template <std::size_t N>
-class Words<VlWide<N>> {
- public:
-  explicit Words(const VlWide<N>& port) : port_(port) {}
-  const std::uint32_t* data() const { return port_.data(); }
-
- private:
-  const VlWide<N>& port_;
-};
-
-template <class Port>
-void set_port(Port& port, const std::vector<std::uint32_t>& words) {
-  std::uint64_t value = words[0];
-  if (words.size() > 1) value |= std::uint64_t{words[1]} << 32;
-  port = static_cast<Port>(value);
-}
-template <std::size_t N>
-void set_port(VlWide<N>& port, const std::vector<std::uint32_t>& words) {
-  for (std::size_t i = 0; i < N; ++i) port[i] = words[i];
-}
 
 class Model final : public RtlRasterizer {
  public:
@@ -161,7 +126,7 @@ class Model final : public RtlRasterizer {
 
   SetupTriangle setup() const override {
     const auto& port = root().hs_rasterizer__DOT__setup;
-    const Words words(port);
+    const std::vector<std::uint32_t> words = port_words(port);
     BitReader bits(words.data(), kSetupBits);
     SetupTriangle out;
     for (EdgeSlope& slope : out.slope) {
@@ -196,7 +161,7 @@ class Model final : public RtlRasterizer {
   }
 
   CoverageTile coverage() const override {
-    const Words words(top_.coverage_o);
+    const std::vector<std::uint32_t> words = port_words(top_.coverage_o);
     BitReader bits(words.data(), kCoverageBits);
     CoverageTile out;
     out.x = static_cast<std::int32_t>(bits.unsigned_bits(kN));
@@ -242,7 +207,7 @@ class Model final : public RtlRasterizer {
   // The node that waits at level `level`, cut out of the concatenation of all of them.
   std::vector<std::uint32_t> link_words(int level) const {
     const auto& port = root().hs_rasterizer__DOT__link_node;
-    const Words all(port);
+    const std::vector<std::uint32_t> all = port_words(port);
     std::vector<std::uint32_t> out(static_cast<std::size_t>((kNodeBits + 31) / 32) + 1);
     const int first = level * kNodeBits;
     for (int done = 0; done < kNodeBits; done += 32) {
