@@ -51,6 +51,11 @@ std::string validate(const Config& config) {
     return out_of_range("guard_bits", config.guard_bits,
                         "0 for none, or viewport_bits.." + std::to_string(16));
   }
+  const int widest = (config.has_guard_band() ? config.guard_bits : config.viewport_bits) + 1;
+  if (config.extent_bits < 0 || config.extent_bits > widest) {
+    return out_of_range("extent_bits", config.extent_bits,
+                        "0 for no limit, or 1.." + std::to_string(widest));
+  }
   const int samples = config.samples;
   if (samples != 1 && samples != 2 && samples != 4 && samples != 8 && samples != 16) {
     return out_of_range("samples", samples, "1, 2, 4, 8 or 16");

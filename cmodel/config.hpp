@@ -26,8 +26,10 @@ struct Config {
   int subpixel_bits = 8;   // s: fraction bits of a vertex coordinate, 0..12
   int viewport_bits = 12;  // n: frames up to 2^n x 2^n pixels, 3..15
   int guard_bits = 13;     // k: |x|, |y| < 2^k px, n..16; 0: no guard band, 0 <= x, y <= 2^n px
-  int samples = 1;         // samples per pixel: 1, 2, 4, 8, 16, standard positions
-  int grid_log2 = 3;       // g: a grid is 2^g x 2^g lanes; 2 or 3
+  int extent_bits = 0;  // x: no edge reaches 2^x px in x or in y, 1..k+1 (no guard band: 1..n+1);
+                        // 0: no limit but the coordinates' own
+  int samples = 1;      // samples per pixel: 1, 2, 4, 8, 16, standard positions
+  int grid_log2 = 3;    // g: a grid is 2^g x 2^g lanes; 2 or 3
   int setup_interval =
       1;                // clocks between triangles in triangle_setup: 1, or 3 (multipliers shared)
   int tag_bits = 16;    // width of the triangle tag that travels with every packet, 1..32
@@ -43,6 +45,14 @@ struct Config {
   // --- Derived. Widths in bits, signed unless said. ------------------------------------------
 
   constexpr bool has_guard_band() const { return guard_bits > 0; }
+  // True when extent_bits says more about an edge than the coordinates do.
+  constexpr bool narrow_extent() const {
+    return extent_bits > 0 && extent_bits <= (has_guard_band() ? guard_bits : viewport_bits);
+  }
+  // X: |A| + |B| <= 2^(X+1) px, whatever limits them.
+  constexpr int extent_log2() const {
+    return narrow_extent() ? extent_bits : has_guard_band() ? guard_bits + 1 : viewport_bits;
+  }
 
   // Fraction bits of a sample position within a pixel: 1/2 px for one sample, up to 1/16 px.
   constexpr int sample_position_bits() const {
@@ -70,30 +80,38 @@ struct Config {
   }
   // A and B, S.s px.
   constexpr int delta_bits() const {
-    return has_guard_band() ? guard_bits + subpixel_bits + 2 : viewport_bits + subpixel_bits + 2;
+    return extent_log2() + subpixel_bits + (narrow_extent() || has_guard_band() ? 1 : 2);
   }
   // The doubled area, S.2s px^2.
   constexpr int area_bits() const {
-    return has_guard_band() ? 2 * guard_bits + 2 * subpixel_bits + 3
-                            : 2 * viewport_bits + 2 * subpixel_bits + 2;
+    return 2 * extent_log2() + 2 * subpixel_bits + (narrow_extent() || has_guard_band() ? 1 : 2);
+  }
+  // C at the frame's corner, S.2s px^2.
+  constexpr int constant_bits() const {
+    return (has_guard_band() ? guard_bits : viewport_bits) + extent_log2() + 2 * subpixel_bits + 2;
   }
   // E at any sample of the frame before bits are dropped, S.(s+f) px^2.
   constexpr int edge_full_bits() const {
-    return has_guard_band() ? 2 * guard_bits + subpixel_bits + position_bits() + 3
-                            : 2 * viewport_bits + subpixel_bits + position_bits() + 1;
+    const int fraction = subpixel_bits + position_bits();
+    if (narrow_extent()) {
+      return (has_guard_band() ? guard_bits + 1 : viewport_bits) + extent_log2() + fraction + 2;
+    }
+    return 2 * (has_guard_band() ? guard_bits + 1 : viewport_bits) + fraction + 1;
   }
   // The same after dropping: S.(s+q) px^2.
   constexpr int edge_bits() const { return edge_full_bits() - dropped_bits(); }
   // Edge value at the origin of a node of side 2^node_log2 px, saturated: S.(s+q) px^2.
   constexpr int node_bits(int node_log2) const {
-    return (has_guard_band() ? guard_bits + 3 : viewport_bits + 2) + subpixel_bits + sample_bits() +
-           node_log2;
+    return extent_log2() + subpixel_bits + sample_bits() + node_log2 + 2;
   }
   // One lane of half_plane_grid, the same at every level: S.s px^2 / child side.
-  constexpr int lane_bits() const {
-    return (has_guard_band() ? guard_bits + 4 : viewport_bits + 3) + subpixel_bits + grid_log2;
-  }
+  constexpr int lane_bits() const { return extent_log2() + subpixel_bits + grid_log2 + 3; }
 
+  // Greatest |difference| of two vertices in x or in y, in subpixels.
+  constexpr std::int64_t extent_max() const {
+    if (extent_bits == 0) return coordinate_max() - coordinate_min();
+    return (std::int64_t{1} << (extent_bits + subpixel_bits)) - 1;
+  }
   // Greatest and least legal vertex coordinate, in subpixels.
   constexpr std::int64_t coordinate_max() const {
     return has_guard_band() ? (std::int64_t{1} << (guard_bits + subpixel_bits)) - 1

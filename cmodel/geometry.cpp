@@ -148,6 +148,16 @@ unsigned GeometryStage::outside_planes(const glm::dvec4& p) const {
   return mask | static_cast<unsigned>(p.y < -p.w) << 9 | static_cast<unsigned>(p.y > p.w) << 10;
 }
 
+bool GeometryStage::beyond_sides(const ClipPolygon& polygon) const {
+  for (int i = 0; i < polygon.count; ++i) {
+    for (std::size_t plane = kDepthPlanes; plane < kClipPlanes; ++plane) {
+      const ClipVertex& vertex = polygon.vertex[static_cast<std::size_t>(i)];
+      if (plane_distance(volume_[plane], vertex.position) < 0.0) return true;
+    }
+  }
+  return false;
+}
+
 GeometryStage::Projected GeometryStage::project(const ClipVertex& vertex) const {
   const glm::dvec4& p = vertex.position;
   const std::int64_t x = snap((p.x / p.w + 1.0) * half_width_, config_);
@@ -238,7 +248,10 @@ void GeometryStage::process(const std::array<ClipVertex, 3>& triangle, std::uint
   }
   // All planes, even those that no vertex is outside of: an edge is then cut alike in both its
   // triangles whatever their third vertices are.
-  const ClipPolygon polygon = clip(triangle, volume_);
+  const std::span planes(volume_);
+  const ClipPolygon front = clip(triangle, planes.first(kDepthPlanes));
+  stats_.beyond_sides += beyond_sides(front) ? 1U : 0U;
+  const ClipPolygon polygon = clip(triangle, planes);
   if (polygon.count < 3) {
     ++stats_.outside;
     return;

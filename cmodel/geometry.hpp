@@ -31,6 +31,7 @@ struct ClipPlane {
 };
 
 inline constexpr int kClipPlanes = 7;
+inline constexpr int kDepthPlanes = 3;  // of those, the first: w, near, far
 using ClipVolume = std::array<ClipPlane, kClipPlanes>;
 
 // The volume that `config` can represent: w at least a tiny positive number, near, far, then the
@@ -64,6 +65,8 @@ struct GeometryStats {
   std::uint64_t dropped_not_finite = 0;  // a coordinate is NaN, infinite or above kMaxMagnitude
   std::uint64_t outside = 0;             // nothing of it is in the frame and between near and far
   std::uint64_t clipped = 0;             // cut by a plane, and something was left
+  std::uint64_t beyond_sides = 0;        // between near and far, a vertex is beyond a side of the
+                                         // range: what is left, if anything, was cut there
   std::uint64_t triangles_out = 0;
   bool operator==(const GeometryStats&) const = default;
 };
@@ -95,6 +98,7 @@ class GeometryStage {
   };
 
   unsigned outside_planes(const glm::dvec4& position) const;
+  bool beyond_sides(const ClipPolygon& polygon) const;
   Projected project(const ClipVertex& vertex) const;
   void emit(const Projected& a, const Projected& b, const Projected& c, std::uint32_t tag,
             std::vector<ShadedTriangle>& out);

@@ -51,6 +51,7 @@ std::optional<SetupTriangle> triangle_setup(const Triangle& triangle, const Fram
   }
   HS_CHECK(frame.width >= 1 && frame.width <= config.max_size());
   HS_CHECK(frame.height >= 1 && frame.height <= config.max_size());
+  HS_CHECK(within_extent(triangle, config));
 
   const std::int64_t area = doubled_area(v);
   HS_CHECK(fits(area, config.area_bits()));

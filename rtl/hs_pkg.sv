@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Widths derived from hs_config_pkg, and the packets between the stages. Formulas and proofs:
-// docs/03_design/config.md. s, n, k, q, r, f, g as there.
+// docs/03_design/config.md. s, n, k, x, q, r, f, g as there.
 //
 // Twins: cmodel/config.hpp (widths), cmodel/packets.hpp (packets: same fields, same order, the
 // first field in the highest bits), cmodel/samples.hpp (sample positions).
@@ -26,18 +26,26 @@ package hs_pkg;
   localparam int LEVELS /*verilator public*/ = (N + GRID_LOG2 - 1) / GRID_LOG2;
   localparam int ROOT_LOG2 /*verilator public*/ = GRID_LOG2 * LEVELS;  // log2 of the root's side
 
+  // No edge reaches 2^EXTENT_LOG2 px in x or in y; without a guard band it may be just that.
+  localparam int X = `HS_EXTENT_BITS;
+  localparam bit NARROW_EXTENT /*verilator public*/ = X > 0 && X <= (HAS_GUARD_BAND ? K : N);
+  localparam int EXTENT_LOG2 /*verilator public*/ =
+      NARROW_EXTENT ? X : HAS_GUARD_BAND ? K + 1 : N;
+  localparam bit EXTENT_REACHED = !NARROW_EXTENT && !HAS_GUARD_BAND;
+
   localparam int VERTEX_BITS /*verilator public*/ = HAS_GUARD_BAND ? K + S + 1 : N + S + 2;
-  localparam int DELTA_BITS /*verilator public*/ = HAS_GUARD_BAND ? K + S + 2 : N + S + 2;
+  localparam int DELTA_BITS /*verilator public*/ = EXTENT_LOG2 + S + (EXTENT_REACHED ? 2 : 1);
   localparam int AREA_BITS /*verilator public*/ =
-      HAS_GUARD_BAND ? 2 * K + 2 * S + 3 : 2 * N + 2 * S + 2;
+      2 * EXTENT_LOG2 + 2 * S + (EXTENT_REACHED ? 2 : 1);
+  localparam int CONSTANT_BITS /*verilator public*/ =
+      (HAS_GUARD_BAND ? K : N) + EXTENT_LOG2 + 2 * S + 2;
   localparam int EDGE_FULL_BITS /*verilator public*/ =
-      HAS_GUARD_BAND ? 2 * K + S + POSITION_BITS + 3 : 2 * N + S + POSITION_BITS + 1;
+      (HAS_GUARD_BAND ? K + 1 : N) + EXTENT_LOG2 + S + POSITION_BITS + (NARROW_EXTENT ? 2 : 1);
   localparam int EDGE_BITS /*verilator public*/ = EDGE_FULL_BITS - DROPPED_BITS;
   // An edge value at the origin of a node of side 2^z px takes NODE_BASE_BITS + z bits.
-  localparam int NODE_BASE_BITS /*verilator public*/ =
-      (HAS_GUARD_BAND ? K + 3 : N + 2) + S + SAMPLE_BITS;
+  localparam int NODE_BASE_BITS /*verilator public*/ = EXTENT_LOG2 + S + SAMPLE_BITS + 2;
   localparam int ROOT_BITS /*verilator public*/ = NODE_BASE_BITS + ROOT_LOG2;
-  localparam int LANE_BITS /*verilator public*/ = (HAS_GUARD_BAND ? K + 4 : N + 3) + S + GRID_LOG2;
+  localparam int LANE_BITS /*verilator public*/ = EXTENT_LOG2 + S + GRID_LOG2 + 3;
 
   localparam int REACH_BITS /*verilator public*/ = DELTA_BITS;                // unsigned
   localparam int INSET_BITS /*verilator public*/ = DELTA_BITS + SAMPLE_BITS;  // unsigned

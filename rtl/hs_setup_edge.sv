@@ -4,7 +4,7 @@
 // Steps 3 to 7 of docs/03_design/triangle_setup.md.
 //
 // Latency: registers 3 to 6 of hs_triangle_setup, which owns the handshake: load_i[n] fills
-//          register n. constant_o is register 4's C; flip_i belongs to what register 5 holds.
+//          register n. constant_o is register 4's C, modulo 2^AREA_BITS; flip_i belongs to what register 5 holds.
 module hs_setup_edge (
   input  logic                                 clk_i,
   input  logic [6:3]                           load_i,
@@ -17,9 +17,11 @@ module hs_setup_edge (
 );
   localparam int Delta = hs_pkg::DELTA_BITS;
   localparam int Low = hs_pkg::VERTEX_LOW_BITS;
-  // E at the frame's corner, which is no sample: without a guard band one bit more than at one.
-  localparam int Edge = hs_pkg::EDGE_FULL_BITS + (hs_pkg::HAS_GUARD_BAND ? 0 : 1);
-  localparam int Kept = hs_pkg::EDGE_BITS + (hs_pkg::HAS_GUARD_BAND ? 0 : 1);
+  // E at the frame's corner, which is no sample: where edges may span the frame, one bit more than
+  // at one.
+  localparam int Edge = hs_pkg::EDGE_FULL_BITS + (hs_pkg::EXTENT_REACHED ? 1 : 0);
+  localparam int Kept = hs_pkg::EDGE_BITS + (hs_pkg::EXTENT_REACHED ? 1 : 0);
+  localparam int Constant = hs_pkg::CONSTANT_BITS;
 
   // Register 3: the differences of the high and of the low partial products.
   logic signed [hs_pkg::VERTEX_BITS+hs_pkg::VERTEX_HIGH_BITS-1:0] ij_high, ji_high;
@@ -42,13 +44,13 @@ module hs_setup_edge (
   end
 
   // Register 4: C at the frame's corner, and one pixel's diagonal step.
-  logic signed [hs_pkg::AREA_BITS-Low-1:0] high3, low3;
-  logic signed [hs_pkg::AREA_BITS-1:0]     constant4_q;
+  logic signed [Constant-Low-1:0]          high3, low3;
+  logic signed [Constant-1:0]              constant4_q;
   logic signed [Delta-1:0]                 a4_q, b4_q;
   logic signed [Delta:0]                   diagonal4_q;
   logic                                    a_zero4_q, b_zero4_q;
-  assign high3 = (hs_pkg::AREA_BITS-Low)'(high3_q);  // C fits, so the bits above repeat its sign
-  assign low3  = (hs_pkg::AREA_BITS-Low)'(signed'(low3_q[hs_pkg::VERTEX_BITS+Low:Low]));
+  assign high3 = (Constant-Low)'(high3_q);  // C fits, so the bits above repeat its sign
+  assign low3  = (Constant-Low)'(signed'(low3_q[hs_pkg::VERTEX_BITS+Low:Low]));
 
   always_ff @(posedge clk_i) begin
     if (load_i[4]) begin
@@ -60,7 +62,7 @@ module hs_setup_edge (
       b_zero4_q   <= b3_q == '0;
     end
   end
-  assign constant_o = constant4_q;
+  assign constant_o = hs_pkg::AREA_BITS'(constant4_q);
 
   // Register 5: C at the root's origin. Half a pixel further for one sample.
   logic signed [Edge-1:0]  corner4, half4, edge5_q;

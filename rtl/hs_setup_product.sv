@@ -28,8 +28,8 @@ module hs_setup_product (
   logic signed [hs_pkg::DELTA_BITS-1:0]                    a, b;
   logic signed [hs_pkg::VERTEX_BITS+High-1:0]              ij_high, ji_high;
   logic signed [hs_pkg::VERTEX_BITS+hs_pkg::VERTEX_LOW_BITS-1:0] ij_low, ji_low;
-  assign a       = yi - yj;
-  assign b       = xj - xi;
+  assign a       = hs_pkg::DELTA_BITS'(yi) - hs_pkg::DELTA_BITS'(yj);
+  assign b       = hs_pkg::DELTA_BITS'(xj) - hs_pkg::DELTA_BITS'(xi);
   assign ij_high = xi * yj_high;
   assign ji_high = xj * yi_high;
   assign ij_low  = xi * yj_low;

@@ -142,7 +142,7 @@ module hs_triangle_setup (
     .falls_i(y_falls), .size_i(frame_i.height), .empty_o(empty_y),
     .first_o(setup_o.box.y_first), .last_o(setup_o.box.y_last));
 
-  // The area needs no multiplier: it is C0 + C1 + C2.
+  // The area needs no multiplier: it is C0 + C1 + C2, of which only the bits it may have are added.
   logic culled, flipped6_q;
   assign flipped5 = area5_q[hs_pkg::AREA_BITS-1];
   always_comb begin

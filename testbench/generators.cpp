@@ -23,6 +23,25 @@ std::uint32_t tag(std::size_t number, const Config& config) {
   return static_cast<std::uint32_t>(number & ((std::uint64_t{1} << config.tag_bits) - 1));
 }
 
+// The vertices cut to a square around the first that the configuration's edges may span, so that
+// long ones attain its extent.
+std::array<Point, 3> within(std::array<Point, 3> vertex, const Config& config) {
+  if (config.extent_bits == 0) return vertex;
+  const std::int64_t side = config.extent_max();
+  const auto cut = [&](std::int32_t Point::*axis) {
+    const std::int64_t most = std::max(config.coordinate_max() - side, config.coordinate_min());
+    const std::int64_t middle = (std::int64_t{vertex[1].*axis} + vertex[2].*axis) / 2;
+    const std::int64_t first = vertex[0].*axis - (middle < vertex[0].*axis ? side : 0);
+    const std::int64_t low = std::clamp(first, config.coordinate_min(), most);
+    for (Point& p : vertex) {
+      p.*axis = static_cast<std::int32_t>(std::clamp<std::int64_t>(p.*axis, low, low + side));
+    }
+  };
+  cut(&Point::x);
+  cut(&Point::y);
+  return vertex;
+}
+
 Point anywhere(Random& random, const Config& config) {
   const std::int64_t low = config.coordinate_min();
   const std::int64_t high = config.coordinate_max();
@@ -155,7 +174,7 @@ const char* shape_name(Shape shape) {
 
 Triangle random_triangle(Random& random, Shape shape, const FrameState& frame,
                          const Config& config) {
-  Triangle triangle{vertices(random, shape, frame, config), 0};
+  Triangle triangle{within(vertices(random, shape, frame, config), config), 0};
   if (random.in(0, 1) == 1) std::swap(triangle.vertex[0], triangle.vertex[1]);
   return triangle;
 }
@@ -238,7 +257,7 @@ std::vector<Triangle> widest_triangles(const Config& config) {
     for (const Point b : point) {
       for (const Point c : point) {
         if (a == b || b == c || c == a) continue;
-        triangles.push_back({{a, b, c}, tag(triangles.size(), config)});
+        triangles.push_back({within({a, b, c}, config), tag(triangles.size(), config)});
       }
     }
   }

@@ -13,6 +13,7 @@
 
 #include "../fixed.hpp"
 #include "../samples.hpp"
+#include "../triangle_setup.hpp"
 #include "cycle_kernel.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -67,6 +68,9 @@ HWY_NOINLINE void load(const SetupConstants& c, const Triangle* t, std::size_t c
     }
   }
   HS_CHECK(low >= c.config.coordinate_min() && high <= c.config.coordinate_max());
+  if (c.config.extent_bits != 0) {
+    for (std::size_t i = 0; i < count; ++i) HS_CHECK(within_extent(t[i], c.config));
+  }
   for (std::size_t i = count; i < (count + 15) / 16 * 16; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       o.x[k][i] = o.x[k][count - 1];

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "../io/error.hpp"
+#include "../io/fit_range.hpp"
 #include "../io/mesh.hpp"
 #include "../io/tcov.hpp"
 #include "progress.hpp"
@@ -55,7 +56,8 @@ class MeshScene : public Scene {
  public:
   MeshScene(const std::string& path, int width, int height, const CameraOptions& camera,
             Lighting lighting)
-      : mesh_(load_mesh(path)),
+      : path_(path),
+        mesh_(load_mesh(path)),
         frame_{width, height, Cull::kNone},
         lighting_(lighting),
         camera_(frame_camera(mesh_.bounds, aspect(), camera)) {}
@@ -83,8 +85,15 @@ class MeshScene : public Scene {
                                          vertices[index[2]]};
       if (lighting_ == Lighting::kFlat) shade_flat(index, light, triangle);
       out.clear();
-      stage.process(triangle, tag++, out);
-      for (const ShadedTriangle& piece : out) sink(piece);
+      stage.process(triangle, tag, out);
+      if (config.extent_bits != 0 && stage.stats().beyond_sides != 0) {
+        refuse_cut(tag, config, path_);
+      }
+      for (const ShadedTriangle& piece : out) {
+        require_extent(piece.triangle, tag, config, path_);
+        sink(piece);
+      }
+      ++tag;
       progress.advance();
     }
     stats.geometry = stage.stats();
@@ -122,6 +131,7 @@ class MeshScene : public Scene {
     for (ClipVertex& vertex : triangle) vertex.attribute = shade;
   }
 
+  std::string path_;
   Mesh mesh_;
   FrameState frame_;
   Lighting lighting_;

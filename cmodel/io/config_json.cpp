@@ -17,10 +17,11 @@ struct Field {
   int Config::*value;
 };
 
-constexpr std::array<Field, 12> kFields{{
+constexpr std::array<Field, 13> kFields{{
     {"subpixel_bits", &Config::subpixel_bits},
     {"viewport_bits", &Config::viewport_bits},
     {"guard_bits", &Config::guard_bits},
+    {"extent_bits", &Config::extent_bits},
     {"samples", &Config::samples},
     {"grid_log2", &Config::grid_log2},
     {"setup_interval", &Config::setup_interval},

@@ -25,6 +25,10 @@ enum class ErrorCode : int {
   kMeshIndex = 14,      // a face names a vertex that is not there
   kTcovBroken = 20,     // TCOV syntax
   kTcovRange = 21,      // a vertex beyond the configuration's coordinate range
+  kFitRange = 22,       // a triangle outside what the configuration was fitted to
+  kFitLimit = 23,       // no configuration keeps the limits asked for
+  kFitOracle = 24,      // this build has no oracle to measure against
+  kFitTool = 25,        // a tool that --synth or --emit-rtl needs is missing or failed
   kFileWrite = 30,      // cannot create, write or rename the output
   kLevel = 40,          // level not available in this build
   kScene = 41,          // the scene does not fit the request (camera, case number, ...)

@@ -10,6 +10,7 @@
 
 #include "../snap.hpp"
 #include "error.hpp"
+#include "fit_range.hpp"
 #include "output_file.hpp"
 
 namespace halfspace {
@@ -189,6 +190,7 @@ TcovTriangles tcov_triangles(const TcovCase& tcov, const Config& config, const s
     }
     triangle.vertex = {
         {{snapped[0], snapped[1]}, {snapped[2], snapped[3]}, {snapped[4], snapped[5]}}};
+    require_extent(triangle, triangle.tag, config, fmt::format("{}: case {}", where, tcov.id));
     out.triangles.push_back(triangle);
   }
   return out;

@@ -41,8 +41,9 @@ struct TcovTriangles {
 };
 
 // Coordinates finer than the configuration's subpixels are snapped by its mode and counted. Throws
-// Error(kTcovRange) naming case, triangle and value when one is beyond the configuration's range
-// and Error(kSize) when the frame is too large for it. place: the file's name.
+// Error(kTcovRange) naming case, triangle and value when one is beyond the configuration's range,
+// Error(kFitRange) when a triangle is wider than it was fitted to, and Error(kSize) when the frame
+// is too large for it. place: the file's name.
 TcovTriangles tcov_triangles(const TcovCase& tcov, const Config& config, const std::string& place);
 
 // CRC-32 (zlib's polynomial) of bytes that follow those whose CRC is `before`.

@@ -42,6 +42,24 @@ module hs_triangle_setup_checker (
   endproperty
   assert_vertices : assert property (vertices_in_range) else $error("vertex out of range");
 
+  // No edge is longer than the widths after setup allow.
+  function automatic bit short_edge(input hs_pkg::point_t from, input hs_pkg::point_t to);
+    short_edge = short_span(from.x, to.x) && short_span(from.y, to.y);
+  endfunction
+  function automatic bit short_span(input logic signed [hs_pkg::VERTEX_BITS-1:0] from,
+                                    input logic signed [hs_pkg::VERTEX_BITS-1:0] to);
+    longint span;
+    span = longint'(to) - longint'(from);
+    if (span < 0) span = -span;
+    short_span = hs_pkg::X == 0 || span < 64'd1 << (hs_pkg::X + hs_pkg::S);
+  endfunction
+  property edges_in_range;
+    disable iff (!rst_ni) in_valid_i |-> short_edge(triangle_i.vertex0, triangle_i.vertex1) &&
+        short_edge(triangle_i.vertex1, triangle_i.vertex2) &&
+        short_edge(triangle_i.vertex2, triangle_i.vertex0);
+  endproperty
+  assert_edges : assert property (edges_in_range) else $error("edge longer than the fitted range");
+
   property frame_stable;
     disable iff (!rst_ni) busy_i |=> $stable(frame_i) || !$past(rst_ni);
   endproperty

@@ -32,5 +32,23 @@ inline constexpr Config kTestOneLevel{.subpixel_bits = 0,
                                       .grid_log2 = 3,
                                       .setup_interval = 3,
                                       .tag_bits = 4};
+// Edges shorter than the frame, without a guard band: what `halfspace fit` makes of a scene.
+inline constexpr Config kTestFitted{.subpixel_bits = 5,
+                                    .viewport_bits = 6,
+                                    .guard_bits = 0,
+                                    .extent_bits = 4,
+                                    .samples = 1,
+                                    .grid_log2 = 2,
+                                    .setup_interval = 1,
+                                    .tag_bits = 12};
+// The same with a guard band, several samples, and edges so short that every node is narrow.
+inline constexpr Config kTestFittedBand{.subpixel_bits = 3,
+                                        .viewport_bits = 5,
+                                        .guard_bits = 7,
+                                        .extent_bits = 2,
+                                        .samples = 4,
+                                        .grid_log2 = 2,
+                                        .setup_interval = 3,
+                                        .tag_bits = 6};
 
 }  // namespace halfspace

@@ -20,6 +20,7 @@
 #include "bits.hpp"
 #include "ports.hpp"
 #include "rtl_configs.hpp"
+#include "rtl_extra.hpp"
 #include "rtl_rasterizer.hpp"
 
 #define HS_JOIN2(a, b) a##b
@@ -36,6 +37,7 @@ using Rtl = HS_JOIN(HS_PREFIX, _hs_pkg);
 static_assert(RtlConfig::SUBPIXEL_BITS == kConfig.subpixel_bits);
 static_assert(RtlConfig::VIEWPORT_BITS == kConfig.viewport_bits);
 static_assert(RtlConfig::GUARD_BITS == kConfig.guard_bits);
+static_assert(RtlConfig::EXTENT_BITS == kConfig.extent_bits);
 static_assert(RtlConfig::SAMPLES == kConfig.samples);
 static_assert(RtlConfig::GRID_LOG2 == kConfig.grid_log2);
 static_assert(RtlConfig::SETUP_INTERVAL == kConfig.setup_interval);
@@ -48,9 +50,12 @@ static_assert(Rtl::GRID == kConfig.grid());
 static_assert(Rtl::LANES == kConfig.lanes());
 static_assert(Rtl::LEVELS == kConfig.levels());
 static_assert(Rtl::ROOT_LOG2 == kConfig.node_log2(0));
+static_assert(Rtl::NARROW_EXTENT == kConfig.narrow_extent());
+static_assert(Rtl::EXTENT_LOG2 == kConfig.extent_log2());
 static_assert(Rtl::VERTEX_BITS == kConfig.vertex_bits());
 static_assert(Rtl::DELTA_BITS == kConfig.delta_bits());
 static_assert(Rtl::AREA_BITS == kConfig.area_bits());
+static_assert(Rtl::CONSTANT_BITS == kConfig.constant_bits());
 static_assert(Rtl::EDGE_FULL_BITS == kConfig.edge_full_bits());
 static_assert(Rtl::EDGE_BITS == kConfig.edge_bits());
 static_assert(Rtl::NODE_BASE_BITS == kConfig.node_bits(0));

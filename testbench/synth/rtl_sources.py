@@ -15,7 +15,9 @@ def listed(folder, name):
 
 
 def config(name):
-    """The package of a preset or of a test configuration."""
+    """The package of a preset or of a test configuration, or the package at that path."""
+    if str(name).endswith(".sv"):
+        return pathlib.Path(name).resolve()
     folder = RTL / "config" if name in PRESETS else ROOT / "testbench/rtl/config"
     return folder / name / "hs_config_pkg.sv"
 

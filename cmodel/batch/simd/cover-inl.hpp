@@ -9,6 +9,7 @@
 #endif
 
 #include "../../fixed.hpp"
+#include "../../triangle_setup.hpp"
 #include "setup-inl.hpp"
 #include "strip-inl.hpp"
 #include "window-inl.hpp"
@@ -147,6 +148,9 @@ HWY_NOINLINE std::size_t cover(const KernelFrame& frame, std::span<const Triangl
     }
     HS_CHECK(hn::AllFalse(d, hn::Lt(lowest, hn::Set(d, frame.coordinate_min))));
     HS_CHECK(hn::AllFalse(d, hn::Gt(highest, hn::Set(d, frame.coordinate_max))));
+    if (frame.config.extent_bits != 0) {
+      for (std::size_t i = 0; i < lanes; ++i) HS_CHECK(within_extent(from[i], frame.config));
+    }
     list_work(batch);
     buffer.reserve(buffer.count + kBatchRecords);
     buffer.reserve_triangles(buffer.triangle_count + kBatch);

@@ -6,6 +6,7 @@
 `define HS_SUBPIXEL_BITS 6
 `define HS_VIEWPORT_BITS 8
 `define HS_GUARD_BITS 0
+`define HS_EXTENT_BITS 0
 `define HS_SAMPLES 1
 `define HS_GRID_LOG2 3
 `define HS_SETUP_INTERVAL 3
@@ -15,6 +16,7 @@ package hs_config_pkg;
   localparam int SUBPIXEL_BITS /*verilator public*/ = `HS_SUBPIXEL_BITS;
   localparam int VIEWPORT_BITS /*verilator public*/ = `HS_VIEWPORT_BITS;
   localparam int GUARD_BITS /*verilator public*/ = `HS_GUARD_BITS;
+  localparam int EXTENT_BITS /*verilator public*/ = `HS_EXTENT_BITS;
   localparam int SAMPLES /*verilator public*/ = `HS_SAMPLES;
   localparam int GRID_LOG2 /*verilator public*/ = `HS_GRID_LOG2;
   localparam int SETUP_INTERVAL /*verilator public*/ = `HS_SETUP_INTERVAL;
