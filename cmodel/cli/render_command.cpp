@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
-#include <sstream>
 
 #include "../io/error.hpp"
 #include "../io/output_file.hpp"
@@ -18,7 +17,7 @@
 #include "level_run.hpp"
 #include "pictures.hpp"
 #include "rtl_link.hpp"
-#include "scene.hpp"
+#include "scene_options.hpp"
 
 namespace halfspace {
 namespace {
@@ -28,19 +27,14 @@ using Clock = std::chrono::steady_clock;
 enum class Shade { kFlat, kGouraud, kDepth, kCoverage, kTiles };
 
 struct RenderOptions {
-  std::string scene;
+  SceneOptions scene;
   std::string out;
-  std::string size;  // empty: 640x480, less where the configuration is smaller
   std::string level = "bit";
   std::string stats;
   std::string trace;
   std::string cull = "none";
   std::string shade;
   std::string depth_test = "less";
-  std::string eye, target, up;
-  double fov = 0;
-  double ortho = -1;
-  int case_id = -1;
   ConfigOptions config;
 };
 
@@ -58,48 +52,6 @@ Shade parse_shade(const RenderOptions& options, Level level) {
   if (name == "tiles") return Shade::kTiles;
   throw Error(ErrorCode::kUsage, "--shade",
               fmt::format("'{}' is not flat, gouraud, depth, coverage or tiles", name));
-}
-
-DepthFunction parse_depth_test(const std::string& name) {
-  if (name == "less") return DepthFunction::kLess;
-  if (name == "less_equal") return DepthFunction::kLessEqual;
-  throw Error(ErrorCode::kUsage, "--depth-test",
-              fmt::format("'{}' is not less or less_equal", name));
-}
-
-glm::dvec3 parse_vector(const std::string& text, const char* option) {
-  glm::dvec3 value{0.0};
-  std::istringstream stream(text);
-  char comma1 = 0;
-  char comma2 = 0;
-  stream >> value.x >> comma1 >> value.y >> comma2 >> value.z;
-  if (stream.fail() || comma1 != ',' || comma2 != ',' || !(stream >> std::ws).eof()) {
-    throw Error(ErrorCode::kUsage, option,
-                fmt::format("'{:.40}' is not three numbers X,Y,Z", text));
-  }
-  return value;
-}
-
-CameraOptions camera_options(const RenderOptions& options) {
-  CameraOptions camera;
-  if (!options.eye.empty()) camera.eye = parse_vector(options.eye, "--eye");
-  if (!options.target.empty()) camera.target = parse_vector(options.target, "--target");
-  if (!options.up.empty()) camera.up = parse_vector(options.up, "--up");
-  if (options.fov != 0) {
-    if (!(options.fov > 0 && options.fov < 180)) {
-      throw Error(ErrorCode::kUsage, "--fov",
-                  fmt::format("{} is out of range (above 0, below 180 degrees)", options.fov));
-    }
-    camera.fov_y_degrees = options.fov;
-  }
-  if (options.ortho != -1) {
-    if (!(options.ortho >= 0 && options.ortho < 1e30)) {
-      throw Error(ErrorCode::kUsage, "--ortho", "the height must be positive, or 0 to fit");
-    }
-    camera.orthographic = true;
-    if (options.ortho > 0) camera.ortho_height = options.ortho;
-  }
-  return camera;
 }
 
 // One frame drawn: its picture, with the hit counts and the counts of work added to stats.
@@ -206,13 +158,11 @@ void run_render(const RenderOptions& options) {
   const DepthFunction depth_function = parse_depth_test(options.depth_test);
   const Config config = options.config.load();
   require_level(level, config);
-  const FrameSize size = frame_size(options.size, config);
   if (!options.trace.empty()) check_trace(options.trace, level);
   check_writable(options.out);
   if (!options.stats.empty()) check_writable(options.stats);
   const std::unique_ptr<Scene> scene =
-      open_scene(options.scene, options.case_id, size, camera_options(options),
-                 shade == Shade::kFlat ? Lighting::kFlat : Lighting::kGouraud);
+      options.scene.open(config, shade == Shade::kFlat ? Lighting::kFlat : Lighting::kGouraud);
 
   RunStats stats;
   stats.command = "render";
@@ -229,7 +179,7 @@ void run_render(const RenderOptions& options) {
       default: images.push_back(run.full(level, depth_function, false)); break;
     }
   }
-  if (images.empty()) throw Error(ErrorCode::kScene, options.scene, "has no cases");
+  if (images.empty()) throw Error(ErrorCode::kScene, options.scene.path, "has no cases");
   write_png(options.out, contact_sheet(images));
   stats.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (!options.stats.empty()) write_stats(options.stats, stats, config);
@@ -241,13 +191,8 @@ void run_render(const RenderOptions& options) {
 Action add_render_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("render", "Draw a scene and write a PNG");
   auto o = std::make_shared<RenderOptions>();
-  command->add_option("SCENE", o->scene, "Mesh (OBJ, glTF, GLB, PLY, STL) or TCOV file")
-      ->required();
+  o->scene.add_to(*command);
   command->add_option("--out", o->out, "PNG file to write")->required();
-  command
-      ->add_option("--size", o->size,
-                   "Frame size in pixels (default 640x480; a TCOV file has its own)")
-      ->type_name("WxH");
   command->add_option("--level", o->level, "coverage, bit, cycle or rtl")->capture_default_str();
   o->config.add_to(*command);
   command->add_option("--stats", o->stats, "JSON statistics to write");
@@ -256,13 +201,6 @@ Action add_render_command(CLI::App& program) {
                       "gouraud, flat, depth, coverage (hits per pixel) or tiles (nodes tested)");
   add_cull_option(*command, o->cull);
   command->add_option("--depth-test", o->depth_test, "less or less_equal")->capture_default_str();
-  command->add_option("--eye", o->eye, "Camera position, world units")->type_name("X,Y,Z");
-  command->add_option("--target", o->target, "Point looked at, world units")->type_name("X,Y,Z");
-  command->add_option("--up", o->up, "Direction that is up in the picture")->type_name("X,Y,Z");
-  command->add_option("--fov", o->fov, "Vertical field of view, degrees (default 40)");
-  command->add_option("--ortho", o->ortho,
-                      "Orthographic camera; picture height in world units, 0 to fit");
-  command->add_option("--case", o->case_id, "The case of a TCOV file to draw (default: all)");
   command->footer(
       "Without --eye the camera frames the scene by itself.\n"
       "Example: halfspace render tests/scenes/teapot.obj --size 640x480 --out out/teapot.png");

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "../camera.hpp"
+#include "../depth_test.hpp"
+#include "scene.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace halfspace {
+
+// The options with which a subcommand chooses a scene, its frame and its camera, as render has
+// them.
+struct SceneOptions {
+  std::string path;
+  std::string size;  // empty: 640x480, less where the configuration is smaller
+  std::string eye, target, up;
+  double fov = 0;
+  double ortho = -1;
+  int case_id = -1;
+
+  // SCENE, --size, --eye, --target, --up, --fov, --ortho, --case.
+  void add_to(CLI::App& command);
+  // Throws Error(kUsage).
+  CameraOptions camera() const;
+  // Throws what frame_size() and open_scene() throw.
+  std::unique_ptr<Scene> open(const Config& config, Lighting lighting) const;
+  // The same for a command that looks at one frame. Throws Error(kUsage) when a TCOV file has
+  // several cases and --case does not choose one.
+  std::unique_ptr<Scene> open_one(const Config& config, Lighting lighting) const;
+};
+
+// "less" or "less_equal". Throws Error(kUsage).
+DepthFunction parse_depth_test(const std::string& name);
+
+}  // namespace halfspace

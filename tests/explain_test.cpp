@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "explain.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "compare.hpp"
+#include "generators.hpp"
+
+namespace halfspace {
+namespace {
+
+constexpr Rgb kBlack{0, 0, 0};
+
+Config with_index_tags(Config config) {
+  config.tag_bits = 32;
+  return config;
+}
+
+// A triangle of one depth (0..1) and, as its colour, its number.
+ShadedTriangle numbered(const Triangle& triangle, std::uint32_t number, double depth,
+                        const Config& config) {
+  VertexAttributes vertex;
+  const double scale = std::ldexp(1.0, config.depth_bits + kDepthFractionBits) - 64.0;
+  vertex.depth = static_cast<std::uint32_t>(depth * scale);
+  vertex.inverse_w = 1u << (config.inverse_w_bits - 1);
+  // Five bits a channel, in the middle of eight levels: rounding cannot reach the next number.
+  for (unsigned c = 0; c < 3; ++c) {
+    const unsigned level = (number >> (5 * c) & 31u) * 8 + 4;
+    vertex.value[c] = static_cast<std::uint16_t>(level << kAttributeFractionBits);
+  }
+  ShadedTriangle out{triangle, {vertex, vertex, vertex}};
+  out.triangle.tag = number;
+  return out;
+}
+
+unsigned number_of(const Rgb& color) {
+  return color[0] / 8u | color[1] / 8u << 5 | color[2] / 8u << 10;
+}
+
+std::vector<ShadedTriangle> random_scene(std::uint64_t seed, int count, const FrameState& frame,
+                                         const Config& config) {
+  Random random(seed);
+  std::vector<ShadedTriangle> scene;
+  for (int i = 0; i < count; ++i) {
+    const Shape shape = kShapes[static_cast<std::size_t>(i) % kShapes.size()];
+    const double depth = static_cast<double>(random.in(1, 90)) / 100.0;
+    scene.push_back(numbered(random_triangle(random, shape, frame, config),
+                             static_cast<std::uint32_t>(i), depth, config));
+  }
+  return scene;
+}
+
+Explainer explain(const std::vector<ShadedTriangle>& scene, const FrameState& frame,
+                  const Config& config, const SamplePoint& at, bool keep_all = true,
+                  DepthFunction function = DepthFunction::kLess) {
+  Explainer explainer(frame, config, function, kBlack, at, keep_all);
+  for (const ShadedTriangle& triangle : scene) explainer.add(triangle);
+  explainer.finish(scene.size());
+  return explainer;
+}
+
+std::uint64_t count(const Explainer& explainer, Fate fate) {
+  return explainer.counts()[static_cast<std::size_t>(fate)];
+}
+
+SamplePoint random_point(Random& random, const FrameState& frame, const Config& config) {
+  return {static_cast<int>(random.in(0, frame.width - 1)),
+          static_cast<int>(random.in(0, frame.height - 1)),
+          static_cast<int>(random.in(0, config.samples - 1))};
+}
+
+// Triangles of a scene of its own frame that the reasons below are tried on; 8 subpixel bits.
+constexpr Config kPlain{.subpixel_bits = 8, .viewport_bits = 6, .guard_bits = 7, .tag_bits = 32};
+constexpr FrameState kFrame{64, 64, Cull::kNone};
+
+PieceAccount at_pixel(std::array<Point, 3> px, int x, int y, Cull cull = Cull::kNone) {
+  for (Point& p : px) p = {p.x * 256, p.y * 256};
+  return explain_triangle({px, 0}, {64, 64, cull}, kPlain, {x, y, 0});
+}
+
+TEST(Explain, EveryReasonHasItsTriangle) {
+  EXPECT_EQ(at_pixel({{{1, 1}, {5, 5}, {9, 9}}}, 3, 3).fate, Fate::kZeroArea);
+  EXPECT_EQ(at_pixel({{{0, 0}, {9, 0}, {0, 9}}}, 3, 3, Cull::kBack).fate, Fate::kCulled);
+  EXPECT_EQ(at_pixel({{{0, 0}, {0, 9}, {9, 0}}}, 3, 3, Cull::kFront).fate, Fate::kCulled);
+  EXPECT_EQ(at_pixel({{{70, 0}, {90, 0}, {80, 9}}}, 3, 3).fate, Fate::kNoSample);
+  EXPECT_EQ(at_pixel({{{4, 0}, {9, 0}, {6, 9}}}, 3, 3).fate, Fate::kOutsideBox);
+  EXPECT_EQ(at_pixel({{{0, 0}, {9, 0}, {0, 9}}}, 6, 6).fate, Fate::kOutsideEdge);
+  EXPECT_EQ(at_pixel({{{0, 0}, {9, 0}, {0, 9}}}, 3, 3).fate, Fate::kCovers);
+}
+
+// (4, 4)'s centre is on the hypotenuse of both halves of a square.
+TEST(Explain, ATieNamesTheEdgeThatDecidedIt) {
+  const PieceAccount loser = at_pixel({{{0, 0}, {9, 0}, {0, 9}}}, 4, 4);
+  EXPECT_EQ(loser.fate, Fate::kTieLost);
+  EXPECT_EQ(loser.failed, 0b010u);
+  EXPECT_EQ(loser.edge[1].raw, 0);
+  EXPECT_EQ(loser.edge[1].biased, -1);
+  EXPECT_EQ(loser.edge[1].kind, EdgeKind::kOther);
+  const PieceAccount owner = at_pixel({{{9, 0}, {9, 9}, {0, 9}}}, 4, 4);
+  EXPECT_EQ(owner.fate, Fate::kCovers);
+  EXPECT_EQ(owner.ties_won, 0b100u);
+  EXPECT_EQ(owner.edge[2].raw, 0);
+  EXPECT_EQ(owner.edge[2].biased, 0);
+  EXPECT_EQ(owner.edge[2].kind, EdgeKind::kLeft);
+}
+
+TEST(Explain, OutsideNamesEveryFailingEdge) {
+  const PieceAccount beyond = at_pixel({{{0, 0}, {20, 10}, {0, 20}}}, 18, 1);
+  EXPECT_EQ(beyond.fate, Fate::kOutsideEdge);
+  EXPECT_EQ(beyond.failed, 0b001u);
+  const PieceAccount tip = at_pixel({{{0, 8}, {19, 10}, {0, 12}}}, 18, 9);
+  EXPECT_EQ(tip.failed, 0b001u) << "edge 0 only";
+  const PieceAccount corner = at_pixel({{{0, 0}, {20, 20}, {20, 21}}}, 19, 3);
+  EXPECT_EQ(corner.failed, 0b001u);
+  const PieceAccount both = at_pixel({{{10, 0}, {20, 20}, {0, 20}}}, 19, 0);
+  EXPECT_EQ(both.failed, 0b001u);
+}
+
+// E is (to - from) x (sample - from), in units of 2^-16 px^2.
+TEST(Explain, EdgeValuesAreTheCrossProducts) {
+  const PieceAccount p = at_pixel({{{2, 1}, {7, 5}, {1, 9}}}, 3, 4);
+  EXPECT_EQ(p.doubled_area, (5 * 8 - 4 * -1) * 65536);
+  // 4 dx - ... for (3.5, 4.5), by hand in px^2
+  EXPECT_EQ(p.edge[0].raw, static_cast<std::int64_t>((5 * 3.5 - 4 * 1.5) * 65536));
+  EXPECT_EQ(p.edge[1].raw, static_cast<std::int64_t>((-6 * -0.5 - 4 * -3.5) * 65536));
+  EXPECT_EQ(p.edge[2].raw, static_cast<std::int64_t>((1 * -4.5 - -8 * 2.5) * 65536));
+}
+
+TEST(Explain, VerdictIsTheOraclesOnEveryShape) {
+  constexpr std::uint64_t kSeed = 801;
+  for (const Preset& preset : kPresets) {
+    for (const int samples : {1, 4, 16}) {
+      Config config = with_index_tags(preset.config);
+      config.samples = samples;
+      const FrameState frame{57, 43, Cull::kNone};
+      Random random(kSeed);
+      for (int n = 0; n < 4000; ++n) {
+        const Shape shape = kShapes[static_cast<std::size_t>(n) % kShapes.size()];
+        const Triangle t = random_triangle(random, shape, frame, config);
+        const SamplePoint at = random_point(random, frame, config);
+        const PieceAccount piece = explain_triangle(t, frame, config, at);
+        const oracle::Vec offset =
+            oracle::standard_samples(samples)[static_cast<std::size_t>(at.sample)];
+        const bool owned =
+            oracle::covered(corners_px(t, config), {at.x + offset.x, at.y + offset.y});
+        ASSERT_TRUE(piece.model_agrees) << describe(t, frame, config) << ", seed " << kSeed;
+        ASSERT_EQ(piece.fate == Fate::kCovers, owned)
+            << fate_name(piece.fate) << " at (" << at.x << "," << at.y << ") sample " << at.sample
+            << ": " << describe(t, frame, config) << ", seed " << kSeed;
+      }
+    }
+  }
+}
+
+TEST(Explain, AccountsForEveryTriangleOnce) {
+  constexpr std::uint64_t kSeed = 802;
+  for (const int samples : {1, 4}) {
+    const Config config = with_index_tags(samples == 1 ? kFull : kMsaa4);
+    const FrameState frame{60, 40, Cull::kBack};
+    const auto scene = random_scene(kSeed, 500, frame, config);
+    Random random(kSeed);
+    for (int n = 0; n < 50; ++n) {
+      const Explainer e = explain(scene, frame, config, random_point(random, frame, config));
+      ASSERT_EQ(std::accumulate(e.counts().begin(), e.counts().end(), std::uint64_t{0}),
+                scene.size());
+      ASSERT_EQ(e.accounts().size(), scene.size());
+      for (std::size_t i = 0; i < scene.size(); ++i) ASSERT_EQ(e.accounts()[i].index, i);
+      ASSERT_FALSE(e.disagreement().has_value());
+    }
+  }
+}
+
+TEST(Explain, WinnerIsTheFramebuffersAtRandomPixels) {
+  constexpr std::uint64_t kSeed = 803;
+  for (const DepthFunction function : {DepthFunction::kLess, DepthFunction::kLessEqual}) {
+    for (const FrameState frame : {FrameState{60, 40, Cull::kNone}, {200, 150, Cull::kFront}}) {
+      const Config config = with_index_tags(kFull);
+      const auto scene = random_scene(kSeed, 400, frame, config);
+      Rasterizer rasterizer(frame, config, function, kBlack);
+      for (const ShadedTriangle& triangle : scene) rasterizer.draw(triangle);
+      Image picture = rasterizer.framebuffer().resolve();
+      Random random(kSeed);
+      for (int n = 0; n < 120; ++n) {
+        const SamplePoint at = random_point(random, frame, config);
+        const Explainer e = explain(scene, frame, config, at, false, function);
+        const Rgb color = picture.at(at.x, at.y);
+        ASSERT_EQ(e.color(), color);
+        ASSERT_EQ(e.winner() < 0, color == kBlack) << at.x << "," << at.y << ", seed " << kSeed;
+        ASSERT_EQ(count(e, Fate::kCovers), color == kBlack ? 0u : 1u);
+        if (color != kBlack) ASSERT_EQ(e.winner(), number_of(color));
+        ASSERT_EQ(
+            e.depth(),
+            rasterizer.framebuffer().depth()[static_cast<std::size_t>(at.y * frame.width + at.x)]);
+      }
+    }
+  }
+}
+
+// The winner of each sample by brute force over the tiles that the model draws.
+TEST(Explain, WinnerOfEachOfFourSamplesIsTheDepthTests) {
+  constexpr std::uint64_t kSeed = 804;
+  const Config config = with_index_tags(kMsaa4);
+  const FrameState frame{50, 50, Cull::kNone};
+  const auto scene = random_scene(kSeed, 300, frame, config);
+  std::vector<std::int64_t> winner(4 * 50 * 50, -1);
+  std::vector<std::uint32_t> nearest(winner.size(), ~0u);
+  for (const ShadedTriangle& t : scene) {
+    RasterStats stats;
+    rasterize(t.triangle, frame, config, stats, [&](const CoverageTile& tile) {
+      for (std::size_t m = 0; m < 4; ++m) {
+        for (GridMask left = tile.mask[m]; left != 0; left &= left - 1) {
+          const int bit = std::countr_zero(left);
+          const auto at =
+              m + 4 * static_cast<std::size_t>((tile.y + bit / 8) * 50 + tile.x + bit % 8);
+          if (t.attributes[0].depth >= nearest[at]) continue;
+          nearest[at] = t.attributes[0].depth;
+          winner[at] = t.triangle.tag;
+        }
+      }
+    });
+  }
+  Random random(kSeed);
+  for (int n = 0; n < 300; ++n) {
+    const SamplePoint at = random_point(random, frame, config);
+    const Explainer e = explain(scene, frame, config, at, false);
+    ASSERT_EQ(e.winner(), winner[static_cast<std::size_t>(at.sample + 4 * (at.y * 50 + at.x))])
+        << at.x << "," << at.y << " sample " << at.sample << ", seed " << kSeed;
+  }
+}
+
+// Vertices on pixel centres: shared edges run through samples everywhere.
+TEST(Explain, ASharedEdgeSampleHasOneOwner) {
+  const Config config = with_index_tags(kFull);
+  const FrameState frame{64, 64, Cull::kNone};
+  std::vector<ShadedTriangle> scene;
+  for (const Triangle& t : jittered_mesh(805, 64, 8, 128, config)) {
+    scene.push_back(numbered(t, static_cast<std::uint32_t>(scene.size()), 0.5, config));
+  }
+  std::uint64_t lost = 0;
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      const Explainer e = explain(scene, frame, config, {x, y, 0}, false);
+      ASSERT_EQ(count(e, Fate::kCovers), 1u) << x << "," << y;
+      ASSERT_EQ(count(e, Fate::kBehind), 0u) << x << "," << y;
+      lost += count(e, Fate::kTieLost);
+    }
+  }
+  EXPECT_GT(lost, 100u) << "the mesh has no samples on edges";
+}
+
+TEST(Explain, SkippedIndicesWereClipped) {
+  Explainer e(kFrame, kPlain, DepthFunction::kLess, kBlack, {3, 3, 0}, true);
+  const Triangle covers{{{{0, 0}, {2560, 0}, {0, 2560}}}, 0};
+  e.add(numbered(covers, 2, 0.5, kPlain));
+  e.add(numbered(covers, 5, 0.25, kPlain));
+  e.add(numbered(covers, 5, 0.75, kPlain));  // a second piece of 5
+  e.finish(9);
+  EXPECT_EQ(count(e, Fate::kClipped), 7u);
+  EXPECT_EQ(e.winner(), 5);
+  ASSERT_EQ(e.accounts().size(), 9u);
+  EXPECT_EQ(e.accounts()[2].fate, Fate::kBehind);
+  EXPECT_TRUE(e.accounts()[2].pieces[0].passed);
+  EXPECT_EQ(e.accounts()[2].pieces[0].behind, 5);
+  EXPECT_EQ(e.accounts()[5].fate, Fate::kCovers);
+  EXPECT_EQ(e.accounts()[5].pieces[1].fate, Fate::kBehind);
+  EXPECT_EQ(e.accounts()[8].fate, Fate::kClipped);
+}
+
+TEST(Explain, BehindNamesTheTriangleInFrontAtTheTime) {
+  Explainer e(kFrame, kPlain, DepthFunction::kLess, kBlack, {3, 3, 0}, false);
+  const Triangle covers{{{{0, 0}, {2560, 0}, {0, 2560}}}, 0};
+  const std::array<double, 5> depth{0.9, 0.5, 0.7, 0.2, 0.3};
+  for (std::uint32_t i = 0; i < 5; ++i) e.add(numbered(covers, i, depth[i], kPlain));
+  e.finish(5);
+  const std::array<std::int64_t, 5> behind{1, 3, 1, -1, 3};
+  const std::array<bool, 5> passed{true, true, false, true, false};
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(e.accounts()[i].pieces[0].behind, behind[i]) << i;
+    EXPECT_EQ(e.accounts()[i].pieces[0].passed, passed[i]) << i;
+  }
+  EXPECT_EQ(e.winner(), 3);
+}
+
+}  // namespace
+}  // namespace halfspace
