@@ -112,19 +112,16 @@ TEST(Explain, OutsideNamesEveryFailingEdge) {
   const PieceAccount beyond = at_pixel({{{0, 0}, {20, 10}, {0, 20}}}, 18, 1);
   EXPECT_EQ(beyond.fate, Fate::kOutsideEdge);
   EXPECT_EQ(beyond.failed, 0b001u);
-  const PieceAccount tip = at_pixel({{{0, 8}, {19, 10}, {0, 12}}}, 18, 9);
-  EXPECT_EQ(tip.failed, 0b001u) << "edge 0 only";
-  const PieceAccount corner = at_pixel({{{0, 0}, {20, 20}, {20, 21}}}, 19, 3);
-  EXPECT_EQ(corner.failed, 0b001u);
-  const PieceAccount both = at_pixel({{{10, 0}, {20, 20}, {0, 20}}}, 19, 0);
-  EXPECT_EQ(both.failed, 0b001u);
+  // Beyond the blunt corner of vertex 2, within the box: outside both edges that meet there.
+  const PieceAccount corner = at_pixel({{{0, 0}, {20, 12}, {12, 10}}}, 12, 11);
+  EXPECT_EQ(corner.fate, Fate::kOutsideEdge);
+  EXPECT_EQ(corner.failed, 0b110u);
 }
 
 // E is (to - from) x (sample - from), in units of 2^-16 px^2.
 TEST(Explain, EdgeValuesAreTheCrossProducts) {
   const PieceAccount p = at_pixel({{{2, 1}, {7, 5}, {1, 9}}}, 3, 4);
   EXPECT_EQ(p.doubled_area, (5 * 8 - 4 * -1) * 65536);
-  // 4 dx - ... for (3.5, 4.5), by hand in px^2
   EXPECT_EQ(p.edge[0].raw, static_cast<std::int64_t>((5 * 3.5 - 4 * 1.5) * 65536));
   EXPECT_EQ(p.edge[1].raw, static_cast<std::int64_t>((-6 * -0.5 - 4 * -3.5) * 65536));
   EXPECT_EQ(p.edge[2].raw, static_cast<std::int64_t>((1 * -4.5 - -8 * 2.5) * 65536));
@@ -191,7 +188,9 @@ TEST(Explain, WinnerIsTheFramebuffersAtRandomPixels) {
         ASSERT_EQ(e.color(), color);
         ASSERT_EQ(e.winner() < 0, color == kBlack) << at.x << "," << at.y << ", seed " << kSeed;
         ASSERT_EQ(count(e, Fate::kCovers), color == kBlack ? 0u : 1u);
-        if (color != kBlack) ASSERT_EQ(e.winner(), number_of(color));
+        if (color != kBlack) {
+          ASSERT_EQ(e.winner(), number_of(color));
+        }
         ASSERT_EQ(
             e.depth(),
             rasterizer.framebuffer().depth()[static_cast<std::size_t>(at.y * frame.width + at.x)]);
@@ -249,7 +248,7 @@ TEST(Explain, ASharedEdgeSampleHasOneOwner) {
       lost += count(e, Fate::kTieLost);
     }
   }
-  EXPECT_GT(lost, 100u) << "the mesh has no samples on edges";
+  EXPECT_GT(lost, 50u) << "the mesh has no samples on edges";
 }
 
 TEST(Explain, SkippedIndicesWereClipped) {
