@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "coverage_engine.hpp"
+#include "frame_geometry.hpp"
+#include "frame_records.hpp"
+#include "hit_plane.hpp"
+#include "simd/frame_kernel.hpp"
+
+namespace halfspace {
+
+// Some triangles of a draw, up to the depth test: coverage and depth planes. Pieces know nothing of
+// each other, so threads may prepare several at a time. Keeps its buffers between uses.
+class FramePiece {
+ public:
+  FramePiece(const FrameState& frame, const Config& config, std::string_view isa);
+
+  // Triangles to cover: fill this, then call start().
+  Assembly& assembly() { return assembly_; }
+  void start() { done_ = 0; }
+  bool finished() const { return done_ == assembly_.count; }
+
+  // Covers the next triangles, until there are `enough` records or no more triangles.
+  //
+  //   records  of the mesh, for corners that are not the assembly's own
+  //   owners   record r belongs to owner (tile row mod owners)
+  void cover(const FrameConstants& constants, const std::vector<VertexRecord>& records,
+             std::size_t enough, int owners);
+
+  // What the last cover() found.
+  const FrameTiles& tiles() const { return tiles_; }
+  const FrameTriangle* triangles() const { return triangle_.data(); }
+  simd::RecordOrder order(int owner) const;
+  CoverageChunk chunk() const { return engine_.chunk(); }
+  const simd::KernelCounts& counts() const { return engine_.counts(); }
+
+ private:
+  void list_triangles(const CoverageChunk& chunk, const std::vector<VertexRecord>& records);
+  void list_records(const CoverageChunk& chunk);
+  void make_planes(const FrameConstants& constants);
+  void sort_records(int owners);
+
+  CoverageEngine engine_;
+  Assembly assembly_;
+  std::size_t done_ = 0;
+  FrameTiles tiles_;
+  std::size_t count_ = 0;  // triangles with records
+  std::vector<std::uint32_t> visible_;
+  std::vector<FrameTriangle> triangle_;
+  std::vector<FramePlane> depth_;
+  std::vector<std::uint32_t> depth_delta_;
+  std::vector<std::uint32_t> record_triangle_;
+  std::vector<std::vector<std::uint32_t>> owned_;  // records of each owner, in order
+};
+
+}  // namespace halfspace

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "../config.hpp"
+#include "../framebuffer.hpp"
+
+namespace halfspace {
+
+// What Framebuffer keeps, laid out for vectors: tile by tile, every sample's depths, then every
+// sample's colours, 32 bits each (depth U0.depth_bits; colour red lowest, then green, blue, 255).
+//
+// A row of tiles gets memory when it is first drawn to and keeps it; a tile is cleared when it is
+// first drawn to after clear(). Different rows may be drawn to by different threads.
+class FrameStore {
+ public:
+  // frame and config as Framebuffer.
+  FrameStore(const FrameState& frame, const Config& config, Rgb background);
+
+  void clear();
+
+  // As the functions of Framebuffer of the same names.
+  std::size_t tiles_touched() const;
+  std::size_t tiles_total() const { return live_.size(); }
+  Image resolve() const;
+  std::vector<std::uint32_t> depth() const;
+
+  // resolve() as 32-bit pixels (red lowest, then green, blue, 255), row by row from the top, into
+  // memory of the caller's: width x height of them (checked).
+  void resolve_rgba(std::span<std::uint32_t> pixels) const;
+
+  // Depth and colour of one sample, whatever was drawn there.
+  std::uint32_t depth_at(int x, int y, int sample) const;
+  Rgb color_at(int x, int y, int sample) const;
+
+  // --- For kernels. ---------------------------------------------------------------------------
+
+  // The memory of tile (column, row), cleared when it is new: depth of sample m at lane l is
+  // word m * lanes + l, its colour that plus samples * lanes.
+  std::uint32_t* tile(std::uint32_t column, std::uint32_t row) {
+    const std::size_t at = std::size_t{row} * columns_ + column;
+    if (live_[at] == 0) make_tile(column, row);
+    return rows_[row].get() + column * tile_words_;
+  }
+  // Null when nothing was drawn there.
+  const std::uint32_t* find_tile(std::uint32_t column, std::uint32_t row) const {
+    const std::size_t at = std::size_t{row} * columns_ + column;
+    return live_[at] == 0 ? nullptr : rows_[row].get() + column * tile_words_;
+  }
+  std::uint32_t columns() const { return columns_; }
+  std::uint32_t rows() const { return static_cast<std::uint32_t>(rows_.size()); }
+
+ private:
+  struct Free {
+    void operator()(std::uint32_t* words) const;
+  };
+
+  void make_tile(std::uint32_t column, std::uint32_t row);
+  std::uint32_t averaged(const std::uint32_t* tile, std::size_t lane) const;
+
+  Config config_;
+  int width_;
+  int height_;
+  std::uint32_t columns_;
+  std::size_t lanes_;       // of a tile
+  std::size_t tile_words_;  // 2 x samples x lanes
+  std::uint32_t far_;
+  std::uint32_t background_;  // as a stored colour
+  std::vector<std::uint8_t> live_;
+  std::vector<std::unique_ptr<std::uint32_t[], Free>> rows_;
+};
+
+}  // namespace halfspace

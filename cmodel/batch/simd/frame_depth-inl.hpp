@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The depth test of one tile after another, as many pixels at a time as a vector holds.
+#if defined(HALFSPACE_SIMD_FRAME_DEPTH_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HALFSPACE_SIMD_FRAME_DEPTH_INL
+#undef HALFSPACE_SIMD_FRAME_DEPTH_INL
+#else
+#define HALFSPACE_SIMD_FRAME_DEPTH_INL
+#endif
+
+#include "frame_common-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace halfspace::simd::HWY_NAMESPACE {
+
+// What a frame makes constant.
+struct DepthTest {
+  VI far, bias;
+  int shift;
+  std::uint32_t round;
+};
+
+HWY_INLINE DepthTest depth_constants(const FrameConstants& c) {
+  const DI d;
+  // A depth wins when it is below what is stored plus this.
+  const std::int32_t bias = c.depth_function == DepthFunction::kLess        ? 0
+                            : c.depth_function == DepthFunction::kLessEqual ? 1
+                                                                            : 1 << 30;
+  const int shift = kPlaneBits - c.config.depth_bits;
+  return {hn::Set(d, static_cast<std::int32_t>(c.far)), hn::Set(d, bias), shift,
+          std::uint32_t{1} << (shift - 1)};
+}
+
+// The depth test of a vector of lanes: `bits` are covered, `units` the plane there with the
+// rounding added. Returns those that passed; their depths are stored.
+HWY_INLINE std::uint64_t test_vector(const DepthTest& test, VI units, std::uint64_t bits,
+                                     std::uint32_t* stored) {
+  const DI d;
+  auto* HWY_RESTRICT at = reinterpret_cast<std::int32_t*>(stored);
+  const VI depth = hn::Min(hn::Max(hn::ShiftRightSame(units, test.shift), hn::Zero(d)), test.far);
+  const VI old = hn::Load(d, at);
+  const auto wins = hn::And(hn::Lt(depth, hn::Add(old, test.bias)), mask_of(bits));
+  hn::Store(hn::IfThenElse(wins, depth, old), d, at);
+  return bits_of(wins);
+}
+
+// One sample plane of one tile, as depth_test(). base: at lane 0, with the rounding added.
+template <int kGridLog2>
+HWY_INLINE std::uint64_t test_tile(const DepthTest& test, const FramePlane& plane,
+                                   std::uint32_t base, std::uint64_t covered,
+                                   std::uint32_t* HWY_RESTRICT stored) {
+  const DI d;
+  const VI step = plane_step<kGridLog2>(plane.lane_dx, plane.lane_dy);
+  constexpr std::size_t kTile = std::size_t{1} << (2 * kGridLog2);
+  std::uint64_t passed = 0;
+#if HALFSPACE_AVX512
+  // Straight through: a branch per vector costs more than a vector.
+  VI units = hn::Add(step, hn::Set(d, static_cast<std::int32_t>(base)));
+  const VI down = hn::Set(d, static_cast<std::int32_t>(plane.lane_dy * (kLanes >> kGridLog2)));
+  for (std::size_t lane = 0; lane < kTile; lane += kLanes) {
+    passed |= test_vector(test, units, covered >> lane & kAllLanes, stored + lane) << lane;
+    units = hn::Add(units, down);
+  }
+#else
+  while (covered != 0) {
+    const std::size_t lane = first_vector(covered);
+    const std::uint64_t bits = covered >> lane & kAllLanes;
+    covered &= ~(kAllLanes << lane);
+    const std::uint32_t at = base + lane_offset<kGridLog2>(lane, plane.lane_dx, plane.lane_dy);
+    const VI units = hn::Add(step, hn::Set(d, static_cast<std::int32_t>(at)));
+    passed |= test_vector(test, units, bits, stored + lane) << lane;
+  }
+  static_cast<void>(kTile);
+#endif
+  return passed;
+}
+
+// All samples of one tile of one triangle; appends it when any lane passed.
+template <int kGridLog2, bool kOne>
+HWY_INLINE void depth_tile(const FrameConstants& c, const DepthTest& test, const FrameTiles& tiles,
+                           std::size_t record, std::uint32_t word, const std::uint64_t* mask,
+                           FrameStore& store, PassedTiles& out, FrameCounts& counts) {
+  const std::uint32_t triangle = tiles.triangle[record];
+  const FramePlane& plane = tiles.depth[triangle];
+  const std::uint32_t column = word & 0xffff;
+  const std::uint32_t row = word >> 16;
+  const std::uint64_t sum = plane.origin + plane.dx * (std::uint64_t{column} << kGridLog2) +
+                            plane.dy * (std::uint64_t{row} << kGridLog2);
+  const std::uint32_t base = static_cast<std::uint32_t>(sum >> c.gradient_bits) + test.round;
+  std::uint32_t* stored = store.tile(column, row);
+  constexpr std::size_t kTile = std::size_t{1} << (2 * kGridLog2);
+  ++counts.tiles;
+  std::uint64_t passed = 0;
+  if (kOne) {
+    const auto covered = static_cast<std::uint64_t>(std::popcount(mask[0]));
+    counts.samples += covered;
+    counts.fragments += covered;
+    passed = test_tile<kGridLog2>(test, plane, base, mask[0], stored);
+  } else {
+    const auto samples = static_cast<std::size_t>(c.samples);
+    std::uint64_t any = 0;
+    for (std::size_t m = 0; m < samples; ++m) {
+      const std::uint32_t delta = tiles.depth_delta[triangle * samples + m];
+      const std::uint64_t won =
+          test_tile<kGridLog2>(test, plane, base + delta, mask[m], stored + m * kTile);
+      out.covered[out.count * samples + m] = mask[m];
+      out.passed[out.count * samples + m] = won;
+      passed |= won;
+      any |= mask[m];
+      counts.samples += static_cast<std::uint64_t>(std::popcount(mask[m]));
+    }
+    counts.fragments += static_cast<std::uint64_t>(std::popcount(any));
+  }
+  counts.shaded += static_cast<std::uint64_t>(std::popcount(passed));
+  out.tile[out.count] = {word, triangle, passed};
+  out.count += passed != 0;
+}
+
+template <int kGridLog2, bool kOne>
+HWY_NOINLINE void depth_records(const FrameConstants& c, const FrameTiles& tiles,
+                                const RecordOrder& order, FrameStore& store, PassedTiles& out,
+                                FrameCounts& counts) {
+  const DepthTest test = depth_constants(c);
+  const auto samples = static_cast<std::size_t>(c.samples);
+  out.reserve(order.count + 1, samples);
+  std::uint64_t mask[kMaxSamples];
+  constexpr std::uint64_t kFull = kGridLog2 == 3 ? ~std::uint64_t{0} : 0xffff;
+  for (std::size_t k = 0; k < order.count; ++k) {
+    const std::size_t record = order.record == nullptr ? k : order.record[k];
+    const std::uint32_t word = tiles.place[record];
+    if (word >> 31 == 0) {
+      for (std::size_t m = 0; m < (kOne ? 1 : samples); ++m) mask[m] = tiles.mask[m][record];
+      depth_tile<kGridLog2, kOne>(c, test, tiles, record, word, mask, store, out, counts);
+      continue;
+    }
+    const std::uint64_t length = tiles.mask[0][record];
+    out.reserve(order.count - k + length, samples);
+    for (std::size_t m = 0; m < samples; ++m) mask[m] = kFull;
+    for (std::uint32_t i = 0; i < length; ++i) {
+      depth_tile<kGridLog2, kOne>(c, test, tiles, record, (word & ~kRunFlag) + i, mask, store, out,
+                                  counts);
+    }
+  }
+}
+
+void Depth(const FrameConstants& c, const FrameTiles& tiles, const RecordOrder& order,
+           FrameStore& store, PassedTiles& out, FrameCounts& counts) {
+  if (c.config.grid_log2 == 3) {
+    c.samples == 1 ? depth_records<3, true>(c, tiles, order, store, out, counts)
+                   : depth_records<3, false>(c, tiles, order, store, out, counts);
+  } else {
+    c.samples == 1 ? depth_records<2, true>(c, tiles, order, store, out, counts)
+                   : depth_records<2, false>(c, tiles, order, store, out, counts);
+  }
+}
+
+}  // namespace halfspace::simd::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

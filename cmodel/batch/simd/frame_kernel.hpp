@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Between the frame engine and its kernels, one set of which is compiled per instruction set.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "../frame_geometry.hpp"
+#include "../frame_records.hpp"
+#include "../frame_store.hpp"
+
+namespace halfspace::simd {
+
+// Which records a kernel takes: all of them, or those that `order` lists.
+struct RecordOrder {
+  const std::uint32_t* record = nullptr;
+  std::size_t count = 0;
+};
+
+// Depth test of records, in order, against the store. Appends the tiles where a lane passed.
+using DepthKernel = void (*)(const FrameConstants& constants, const FrameTiles& tiles,
+                             const RecordOrder& order, FrameStore& store, PassedTiles& passed,
+                             FrameCounts& counts);
+
+// Colours of the passed lanes, in order, into the store. `triangles` as PassedTile::triangle.
+using ShadeKernel = void (*)(const FrameConstants& constants, const FrameTriangle* triangles,
+                             FrameStore& store, PassedTiles& passed);
+
+// Vertices in clip space, projected; `count` of them from `first` on, to out[first] and on. Writes
+// whole vectors: up to kVertexSlack records beyond the last.
+using ProjectKernel = void (*)(const ProjectConstants& constants, const VertexSource& source,
+                               std::size_t first, std::size_t count, VertexRecord* out);
+
+struct FrameKernels {
+  std::string_view isa;  // as KernelChoice
+  ProjectKernel project;
+  DepthKernel depth;
+  ShadeKernel shade;
+};
+
+// The readable ones, for any machine: simd/frame_scalar.cpp.
+void project_scalar(const ProjectConstants& constants, const VertexSource& source,
+                    std::size_t first, std::size_t count, VertexRecord* out);
+void depth_scalar(const FrameConstants& constants, const FrameTiles& tiles,
+                  const RecordOrder& order, FrameStore& store, PassedTiles& passed,
+                  FrameCounts& counts);
+void shade_scalar(const FrameConstants& constants, const FrameTriangle* triangles,
+                  FrameStore& store, PassedTiles& passed);
+
+// Kernels this machine can run, the best first; never empty.
+std::span<const FrameKernels> frame_kernels();
+
+}  // namespace halfspace::simd

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Colours of the lanes that passed the depth test.
+#if defined(HALFSPACE_SIMD_FRAME_SHADE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HALFSPACE_SIMD_FRAME_SHADE_INL
+#undef HALFSPACE_SIMD_FRAME_SHADE_INL
+#else
+#define HALFSPACE_SIMD_FRAME_SHADE_INL
+#endif
+
+#include "frame_gradient-inl.hpp"
+#include "frame_perspective-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace halfspace::simd::HWY_NAMESPACE {
+
+// One tile on its way through the colour kernel.
+struct ShadeTile {
+  std::uint32_t base[kShades];     // at lane 0
+  std::uint32_t lane_dx[kShades];  // a lane to the right, a lane down
+  std::uint32_t lane_dy[kShades];
+  VI step[kShades];              // of the lanes of the first vector
+  const std::uint64_t* covered;  // of each sample, when there are several
+  const std::uint64_t* passed;
+  const std::uint64_t* deltas;  // [sample][shade]
+};
+
+template <int kGridLog2>
+HWY_INLINE void start_tile(const FrameConstants& c, const ShadePlanes& planes, std::uint32_t place,
+                           ShadeTile& tile) {
+  const DQuad d;
+  const auto x = hn::Set(d, std::uint64_t{place & 0xffff} << kGridLog2);
+  const auto y = hn::Set(d, std::uint64_t{place >> 16} << kGridLog2);
+  alignas(32) std::uint64_t base[kShades];
+  for (std::size_t at = 0; at < kShades; at += kQuadLanes) {
+    const auto sum = hn::Add(hn::Load(d, &planes.origin[at]),
+                             hn::Add(mul_small(hn::Load(d, &planes.dx[at]), x),
+                                     mul_small(hn::Load(d, &planes.dy[at]), y)));
+    hn::Store(hn::ShiftRightSame(sum, c.gradient_bits), d, base + at);
+  }
+  for (std::size_t n = 0; n < kShades; ++n) {
+    tile.base[n] = static_cast<std::uint32_t>(base[n]);
+    tile.lane_dx[n] = static_cast<std::uint32_t>(planes.lane_dx[n]);
+    tile.lane_dy[n] = static_cast<std::uint32_t>(planes.lane_dy[n]);
+    tile.step[n] = plane_step<kGridLog2>(tile.lane_dx[n], tile.lane_dy[n]);
+  }
+}
+
+// Moves each lane from the pixel's centre to its first covered sample, where a sample is missing.
+HWY_INLINE void move_to_samples(const FrameConstants& c, const ShadeTile& tile, std::size_t lane,
+                                VI (&value)[kShades]) {
+  const DI d;
+  const auto samples = static_cast<std::size_t>(c.samples);
+  std::uint64_t full = kAllLanes;
+  for (std::size_t m = 0; m < samples; ++m) full &= tile.covered[m] >> lane;
+  if (full == kAllLanes) return;
+  VI delta[kShades];
+  for (std::size_t n = 0; n < kShades; ++n) delta[n] = hn::Zero(d);
+  for (std::size_t m = samples; m-- > 0;) {
+    const auto here = mask_of(tile.covered[m] >> lane & ~full & kAllLanes);
+    for (std::size_t n = 0; n < kShades; ++n) {
+      const auto by = static_cast<std::int32_t>(tile.deltas[m * kShades + n]);
+      delta[n] = hn::IfThenElse(here, hn::Set(d, by), delta[n]);
+    }
+  }
+  for (std::size_t n = 0; n < kShades; ++n) value[n] = hn::Add(value[n], delta[n]);
+}
+
+// The colours of the vector at `lane`, as the store keeps them.
+template <int kGridLog2, bool kOne>
+HWY_INLINE VU shade_vector(const FrameConstants& c, const Divider& divide, const ShadeTile& tile,
+                           std::size_t lane) {
+  const DI d;
+  VI value[kShades];
+  for (std::size_t n = 0; n < kShades; ++n) {
+    const std::uint32_t at =
+        tile.base[n] + lane_offset<kGridLog2>(lane, tile.lane_dx[n], tile.lane_dy[n]);
+    value[n] = hn::Add(tile.step[n], hn::Set(d, static_cast<std::int32_t>(at)));
+  }
+  if (!kOne) move_to_samples(c, tile, lane, value);
+  const Divisor by = divisor(divide, value[3]);
+  const VU red = over(divide, by, value[0]);
+  const VU green = hn::ShiftLeft<8>(over(divide, by, value[1]));
+  const VU blue = hn::ShiftLeft<16>(over(divide, by, value[2]));
+  return hn::Or(hn::Or(red, green), hn::Or(blue, hn::Set(DU(), 0xff000000u)));
+}
+
+HWY_INLINE void store_colors(VU color, std::uint64_t bits, std::uint32_t* HWY_RESTRICT at) {
+  const DU d;
+  const auto mask = hn::RebindMask(d, mask_of(bits));
+  hn::Store(hn::IfThenElse(mask, color, hn::Load(d, at)), d, at);
+}
+
+// The colours of one tile.
+template <int kGridLog2, bool kOne>
+HWY_INLINE void shade_tile(const FrameConstants& c, const Divider& divide, const ShadeTile& tile,
+                           std::uint64_t any, std::uint32_t* HWY_RESTRICT stored) {
+  constexpr std::size_t kTile = std::size_t{1} << (2 * kGridLog2);
+  while (any != 0) {
+    const std::size_t lane = first_vector(any);
+    const VU color = shade_vector<kGridLog2, kOne>(c, divide, tile, lane);
+    if (kOne) {
+      store_colors(color, any >> lane & kAllLanes, stored + lane);
+    } else {
+      for (std::size_t m = 0; m < static_cast<std::size_t>(c.samples); ++m) {
+        const std::uint64_t bits = tile.passed[m] >> lane & kAllLanes;
+        if (bits != 0) store_colors(color, bits, stored + m * kTile + lane);
+      }
+    }
+    any &= ~(kAllLanes << lane);
+  }
+}
+
+// Planes of the triangles that passed anywhere, once each; PassedTile::triangle becomes their
+// index.
+HWY_INLINE void shade_planes(const FrameConstants& c, const FrameTriangle* triangles,
+                             PassedTiles& passed) {
+  const auto samples = static_cast<std::size_t>(c.samples);
+  if (passed.planes.size() < passed.count) passed.planes.resize(2 * passed.count);
+  if (samples > 1 && passed.deltas.size() < passed.count * samples * kShades) {
+    passed.deltas.resize(2 * passed.count * samples * kShades);
+  }
+  std::uint32_t last = ~0u;
+  std::uint32_t index = ~0u;
+  for (std::size_t k = 0; k < passed.count; ++k) {
+    const std::uint32_t triangle = passed.tile[k].triangle;
+    if (triangle != last) {
+      last = triangle;
+      ++index;
+      ShadePlanes& planes = passed.planes[index];
+      triangle_planes(c, triangles[triangle], planes);
+      for (std::size_t m = 0; samples > 1 && m < samples; ++m) {
+        for (std::size_t n = 0; n < kShades; ++n) {
+          passed.deltas[(index * samples + m) * kShades + n] =
+              frame_delta(planes.dx[n], planes.dy[n], static_cast<int>(m), c);
+        }
+      }
+    }
+    passed.tile[k].triangle = index;
+  }
+}
+
+template <int kGridLog2, bool kOne>
+HWY_NOINLINE void shade_tiles(const FrameConstants& c, FrameStore& store, PassedTiles& passed) {
+  const Divider divide = divider(c);
+  constexpr std::size_t kTile = std::size_t{1} << (2 * kGridLog2);
+  const auto samples = static_cast<std::size_t>(c.samples);
+  ShadeTile tile;
+  tile.covered = tile.passed = tile.deltas = nullptr;
+  for (std::size_t k = 0; k < passed.count; ++k) {
+    const PassedTile& at = passed.tile[k];
+    start_tile<kGridLog2>(c, passed.planes[at.triangle], at.place, tile);
+    if (!kOne) {
+      tile.covered = passed.covered.data() + k * samples;
+      tile.passed = passed.passed.data() + k * samples;
+      tile.deltas = passed.deltas.data() + at.triangle * samples * kShades;
+    }
+    std::uint32_t* stored = store.tile(at.place & 0xffff, at.place >> 16) + samples * kTile;
+    shade_tile<kGridLog2, kOne>(c, divide, tile, at.passed, stored);
+  }
+}
+
+void Shade(const FrameConstants& c, const FrameTriangle* triangles, FrameStore& store,
+           PassedTiles& passed) {
+  shade_planes(c, triangles, passed);
+  if (c.config.grid_log2 == 3) {
+    c.samples == 1 ? shade_tiles<3, true>(c, store, passed)
+                   : shade_tiles<3, false>(c, store, passed);
+  } else {
+    c.samples == 1 ? shade_tiles<2, true>(c, store, passed)
+                   : shade_tiles<2, false>(c, store, passed);
+  }
+}
+
+}  // namespace halfspace::simd::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard
