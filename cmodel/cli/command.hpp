@@ -61,5 +61,6 @@ Action add_coverage_command(CLI::App& program);
 Action add_config_command(CLI::App& program);
 Action add_cosim_command(CLI::App& program);
 Action add_explain_command(CLI::App& program);
+Action add_bench_command(CLI::App& program);
 
 }  // namespace halfspace

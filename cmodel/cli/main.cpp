@@ -29,6 +29,7 @@ int run(int argc, char** argv) {
   actions.emplace_back("render", halfspace::add_render_command(program));
   actions.emplace_back("coverage", halfspace::add_coverage_command(program));
   actions.emplace_back("cosim", halfspace::add_cosim_command(program));
+  actions.emplace_back("bench", halfspace::add_bench_command(program));
   actions.emplace_back("config", halfspace::add_config_command(program));
   actions.emplace_back("explain", halfspace::add_explain_command(program));
   try {

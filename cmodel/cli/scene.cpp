@@ -9,7 +9,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <glm/geometric.hpp>
 #include <utility>
 
 #include "../io/error.hpp"
@@ -27,29 +26,29 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Two-sided diffuse light from over the viewer's shoulder: enough to read a shape by.
-class Light {
+// The last vertices made, by the low bits of their index: most are used again within a few
+// triangles, and memory does not grow with the mesh.
+class VertexCache {
  public:
-  explicit Light(const Camera& camera) {
-    const glm::dvec3 back = glm::normalize(camera.eye - camera.target);
-    const glm::dmat4 view = look_at(camera);
-    const glm::dvec3 right{view[0][0], view[1][0], view[2][0]};
-    const glm::dvec3 up{view[0][1], view[1][1], view[2][1]};
-    direction_ = glm::normalize(back + 0.55 * up - 0.45 * right);
-  }
-  // color 0..1 to attribute 0..255.
-  std::array<double, kMaxAttributes> shade(const glm::dvec3& color,
-                                           const glm::dvec3& normal) const {
-    const double length = glm::length(normal);
-    const double diffuse = length > 0 ? std::abs(glm::dot(normal, direction_)) / length : 0.5;
-    const double light = 0.18 + 0.82 * diffuse;
-    std::array<double, kMaxAttributes> out{};
-    for (int c = 0; c < 3; ++c) out[static_cast<std::size_t>(c)] = 255.0 * light * color[c];
-    return out;
+  explicit VertexCache(const VertexShader& shader) : shader_(shader) {}
+
+  const ClipVertex& vertex(std::uint32_t index) {
+    Entry& entry = entries_[index & (kEntries - 1)];
+    if (entry.key != index + std::uint64_t{1}) {
+      entry.vertex = shader_.vertex(index);
+      entry.key = index + std::uint64_t{1};
+    }
+    return entry.vertex;
   }
 
  private:
-  glm::dvec3 direction_;
+  static constexpr std::uint32_t kEntries = 1 << 13;
+  struct Entry {
+    std::uint64_t key = 0;  // the index plus 1; 0: nothing yet
+    ClipVertex vertex;
+  };
+  const VertexShader& shader_;
+  std::vector<Entry> entries_ = std::vector<Entry>(kEntries);
 };
 
 class MeshScene : public Scene {
@@ -60,7 +59,7 @@ class MeshScene : public Scene {
         mesh_(load_mesh(path)),
         frame_{width, height, Cull::kNone},
         lighting_(lighting),
-        camera_(frame_camera(mesh_.bounds, aspect(), camera)) {}
+        shader_(mesh_, static_cast<double>(width) / static_cast<double>(height), camera) {}
 
   std::size_t frames() const override { return 1; }
   std::uint64_t triangles(std::size_t) const override { return mesh_.triangles.size(); }
@@ -74,16 +73,18 @@ class MeshScene : public Scene {
   void draw(std::size_t, const FrameState& frame, const Config& config, RunStats& stats,
             const TriangleSink& sink) const override {
     const Clock::time_point start = Clock::now();
-    const std::vector<ClipVertex> vertices = transform();
-    const Light light(camera_);
+    VertexCache vertices(shader_);
     GeometryStage stage(frame, config);
     std::vector<ShadedTriangle> out;
     Progress progress("drawing triangles", mesh_.triangles.size());
     std::uint32_t tag = 0;
     for (const auto& index : mesh_.triangles) {
-      std::array<ClipVertex, 3> triangle{vertices[index[0]], vertices[index[1]],
-                                         vertices[index[2]]};
-      if (lighting_ == Lighting::kFlat) shade_flat(index, light, triangle);
+      std::array<ClipVertex, 3> triangle{vertices.vertex(index[0]), vertices.vertex(index[1]),
+                                         vertices.vertex(index[2])};
+      if (lighting_ == Lighting::kFlat) {
+        const auto color = shader_.flat_color(index);
+        for (ClipVertex& vertex : triangle) vertex.attribute = color;
+      }
       out.clear();
       stage.process(triangle, tag, out);
       if (config.extent_bits != 0 && stage.stats().beyond_sides != 0) {
@@ -101,41 +102,11 @@ class MeshScene : public Scene {
   }
 
  private:
-  double aspect() const {
-    return static_cast<double>(frame_.width) / static_cast<double>(frame_.height);
-  }
-
-  std::vector<ClipVertex> transform() const {
-    const glm::dmat4 matrix = world_to_clip(camera_, aspect());
-    const Light light(camera_);
-    std::vector<ClipVertex> vertices(mesh_.positions.size());
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      vertices[i].position = matrix * glm::dvec4(glm::dvec3(mesh_.positions[i]), 1.0);
-      if (lighting_ == Lighting::kGouraud) {
-        vertices[i].attribute =
-            light.shade(glm::dvec3(mesh_.colors[i]), glm::dvec3(mesh_.normals[i]));
-      }
-    }
-    return vertices;
-  }
-
-  void shade_flat(const std::array<std::uint32_t, 3>& index, const Light& light,
-                  std::array<ClipVertex, 3>& triangle) const {
-    std::array<glm::dvec3, 3> p;
-    glm::dvec3 color{0.0};
-    for (std::size_t i = 0; i < 3; ++i) {
-      p[i] = glm::dvec3(mesh_.positions[index[i]]);
-      color += glm::dvec3(mesh_.colors[index[i]]) / 3.0;
-    }
-    const auto shade = light.shade(color, glm::cross(p[1] - p[0], p[2] - p[0]));
-    for (ClipVertex& vertex : triangle) vertex.attribute = shade;
-  }
-
   std::string path_;
   Mesh mesh_;
   FrameState frame_;
   Lighting lighting_;
-  Camera camera_;
+  VertexShader shader_;
 };
 
 // A colour per triangle, spread around the hue circle by the golden angle.

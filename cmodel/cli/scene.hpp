@@ -12,11 +12,9 @@
 #include "../camera.hpp"
 #include "../geometry.hpp"
 #include "../io/stats_json.hpp"
+#include "vertex_shader.hpp"
 
 namespace halfspace {
-
-// How vertices get their colour.
-enum class Lighting { kFlat, kGouraud };
 
 using TriangleSink = std::function<void(const ShadedTriangle&)>;
 

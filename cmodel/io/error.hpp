@@ -33,6 +33,8 @@ enum class ErrorCode : int {
   kLevel = 40,          // level not available in this build
   kScene = 41,          // the scene does not fit the request (camera, case number, ...)
   kInterrupted = 50,    // Ctrl-C
+  kEngine = 60,         // an engine of the bench that this machine does not have
+  kIsa = 61,            // an instruction set that this machine does not have
   kPixel = 80,          // a pixel outside the frame
   kSample = 81,         // a sample that the configuration does not have
   kInternal = 99,       // a check failed: a bug in Halfspace

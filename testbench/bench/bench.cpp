@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+
+#include "batch/coverage_engine.hpp"
+#include "batch/cycle_engine.hpp"
+#include "cli/progress.hpp"
+#include "entry.hpp"
+#include "io/error.hpp"
+
+namespace halfspace {
+namespace {
+
+bool has(const std::vector<std::string>& list, std::string_view word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+bool wanted(const BenchOptions& options, std::string_view engine) {
+  return options.engines.empty() || has(options.engines, engine);
+}
+
+// ns, from any start.
+double now(const std::string& time) {
+  if (time == "thread") {
+    timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
+  }
+  const auto wall = std::chrono::steady_clock::now().time_since_epoch();
+  return static_cast<double>(std::chrono::duration_cast<std::chrono::nanoseconds>(wall).count());
+}
+
+void check_names(const BenchOptions& options) {
+  std::vector<std::string> workloads = bench_workloads();
+  for (const std::string& more : more_bench_workloads()) workloads.push_back(more);
+  for (const std::string& name : options.workloads) {
+    if (has(workloads, name)) continue;
+    throw Error(ErrorCode::kUsage, "--workload",
+                fmt::format("'{:.40}' is not one of {}", name, fmt::join(workloads, ", ")));
+  }
+  const std::vector<std::string> engines = bench_engines();
+  for (const std::string& name : options.engines) {
+    if (!has(engines, name)) {
+      throw Error(ErrorCode::kUsage, "--engine",
+                  fmt::format("'{:.40}' is not one of {}", name, fmt::join(engines, ", ")));
+    }
+    if (name == "rtl" && !has_rtl()) {
+      throw Error(ErrorCode::kLevel, "--engine rtl",
+                  "this build has no RTL (configure with HALFSPACE_RTL=ON)");
+    }
+    if (name == "llvmpipe" && !no_llvmpipe().empty()) {
+      throw Error(ErrorCode::kEngine, "--engine llvmpipe", no_llvmpipe());
+    }
+  }
+}
+
+void check_isas(const BenchOptions& options) {
+  const std::vector<std::string_view> there_are = coverage_isas();
+  for (const std::string& isa : options.isas) {
+    if (std::find(there_are.begin(), there_are.end(), isa) != there_are.end()) continue;
+    throw Error(ErrorCode::kIsa, "--isa",
+                fmt::format("'{:.40}' is not an instruction set of this machine and build ({})",
+                            isa, fmt::join(there_are, ", ")));
+  }
+}
+
+std::vector<BenchEntry> entries_of(const Workload& work, const BenchOptions& options) {
+  std::vector<BenchEntry> out;
+  const auto add = [&](std::vector<BenchEntry> more) {
+    for (BenchEntry& entry : more) {
+      if (wanted(options, entry.row.engine)) out.push_back(std::move(entry));
+    }
+  };
+  add(coverage_entries(work, options));
+  if (wanted(options, "rtl")) add(rtl_entries(work));
+  if (work.mesh) {
+    add(frame_entries(work, options));
+    if (wanted(options, "llvmpipe")) add(llvmpipe_frame_entries(work));
+  } else if (wanted(options, "llvmpipe")) {
+    add(llvmpipe_coverage_entries(work));
+  }
+  return out;
+}
+
+std::string name_of(const BenchRow& row) {
+  return fmt::format("{} {} {} {} threads, {} {}", row.engine, row.isa, row.work, row.threads,
+                     row.workload, row.size);
+}
+
+// What every engine must find on one workload. The first to know a thing says what it is.
+class Agreement {
+ public:
+  // The samples that the plain loop over the bounding box covers.
+  Agreement(const Workload& work) : samples_(scalar_samples(work)) {
+    if (samples_ == 0) throw BenchMismatch("nothing was compared: " + work.name + " is empty");
+  }
+
+  void check(BenchRow& row, const BenchOutput& output) {
+    if (output.samples != samples_) {
+      throw BenchMismatch(fmt::format("{}: covers {} samples, the plain loop {}", name_of(row),
+                                      output.samples, samples_));
+    }
+    row.covered_samples = output.samples;
+    same(row, "tiles", output.tiles, tiles_);
+    same(row, "clocks", output.clocks, clocks_);
+    row.clocks = output.clocks;
+    if (output.hits && !hits_) hits_ = output.hits;
+    if (output.hits && *output.hits != *hits_) {
+      throw BenchMismatch(name_of(row) + ": other hits per pixel than the engines before it");
+    }
+    if (output.picture) compare(row, *output.picture);
+  }
+
+  double tiles() const { return static_cast<double>(tiles_.value_or(0)); }
+
+ private:
+  static void same(const BenchRow& row, const char* what, const std::optional<std::uint64_t>& found,
+                   std::optional<std::uint64_t>& expected) {
+    if (!found) return;
+    if (!expected) expected = found;
+    if (*found == *expected) return;
+    throw BenchMismatch(
+        fmt::format("{}: {} {}, the engines before it {}", name_of(row), *found, what, *expected));
+  }
+
+  void compare(BenchRow& row, const Image& picture) {
+    if (!picture_) {
+      picture_ = picture;
+      return;
+    }
+    if (row.engine != "llvmpipe") {
+      if (picture.pixel != picture_->pixel) {
+        throw BenchMismatch(name_of(row) + ": another picture than the engines before it");
+      }
+      return;
+    }
+    row.pixels_off = 0;
+    row.largest_difference = 0;
+    for (std::size_t i = 0; i < picture.pixel.size(); ++i) {
+      int most = 0;
+      for (std::size_t c = 0; c < 3; ++c) {
+        most = std::max(most, std::abs(picture.pixel[i][c] - picture_->pixel[i][c]));
+      }
+      *row.pixels_off += most > 1 ? 1u : 0u;
+      row.largest_difference = std::max(*row.largest_difference, most);
+    }
+    // Depths that differ in their last bits may show another of two surfaces, at a few pixels.
+    if (*row.pixels_off * 100 > picture.pixel.size()) {
+      throw BenchMismatch(fmt::format("{}: {} pixels are more than one level off engine bit's",
+                                      name_of(row), *row.pixels_off));
+    }
+  }
+
+  std::uint64_t samples_;
+  std::optional<std::uint64_t> tiles_;
+  std::optional<std::uint64_t> clocks_;
+  std::optional<std::vector<std::uint8_t>> hits_;
+  std::optional<Image> picture_;
+};
+
+void finish(BenchRow& row, std::vector<double>& times, const Agreement& found) {
+  std::sort(times.begin(), times.end());
+  row.repetitions = static_cast<int>(times.size());
+  row.min = times.front();
+  row.median = row.ns_per_triangle = times[times.size() / 2];
+  row.max = times.back();
+  const double total = row.median * static_cast<double>(row.triangles);  // ns
+  row.mpixels_per_s = 1e3 * static_cast<double>(row.covered_samples) / total;
+  row.tiles_per_s = 1e9 * found.tiles() / total;
+}
+
+void bench_workload(const Workload& work, const BenchOptions& options,
+                    std::vector<BenchRow>& rows) {
+  std::vector<BenchEntry> entries = entries_of(work, options);
+  const auto runs = static_cast<std::uint64_t>(options.repetitions) + 1;
+  Progress progress(fmt::format("timing {} {}x{}", work.name, work.frame.width, work.frame.height),
+                    entries.size() * runs);
+  Agreement found(work);
+  for (BenchEntry& entry : entries) {
+    entry.row.workload = work.name;
+    entry.row.size = fmt::format("{}x{}", work.frame.width, work.frame.height);
+    entry.row.time = entry.row.threads > 1 ? "wall" : "thread";
+    entry.row.triangles = work.mesh ? work.mesh->triangles.size() : work.triangles.size();
+    found.check(entry.row, entry.count());
+    progress.step();
+  }
+  std::vector<std::vector<double>> times(entries.size());
+  for (int repetition = 0; repetition < options.repetitions; ++repetition) {
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const double start = now(entries[i].row.time);
+      entries[i].run();
+      const double took = now(entries[i].row.time) - start;
+      times[i].push_back(took / static_cast<double>(entries[i].row.triangles));
+      progress.step();
+    }
+  }
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    finish(entries[i].row, times[i], found);
+    rows.push_back(entries[i].row);
+  }
+}
+
+bool is_scene(std::string_view name) {
+  return name == "teapot" || name == "bunny" || name == "million";
+}
+
+}  // namespace
+
+std::vector<std::string> bench_workloads() {
+  return {"small", "medium", "large", "fullscreen", "sliver", "teapot", "bunny", "million"};
+}
+
+std::vector<std::string> more_bench_workloads() { return {"quad", "px32", "px16", "tile"}; }
+
+std::vector<std::string> bench_engines() {
+  return {"scalar", "bit", "coverage", "cycle", "rtl", "llvmpipe"};
+}
+
+std::vector<std::string> wanted_isas(const BenchOptions& options,
+                                     const std::vector<std::string_view>& there_are) {
+  std::vector<std::string> out;
+  for (const std::string_view isa : there_are) {
+    if (options.isas.empty() || has(options.isas, isa)) out.emplace_back(isa);
+  }
+  return out;
+}
+
+std::vector<BenchRow> run_bench(const BenchOptions& options) {
+  check_names(options);
+  check_isas(options);
+  std::vector<BenchRow> rows;
+  for (const std::string& name :
+       options.workloads.empty() ? bench_workloads() : options.workloads) {
+    if (!is_scene(name)) {
+      bench_workload(make_workload(name, options.scale), options, rows);
+      continue;
+    }
+    for (const auto& [width, height] : {std::pair{640, 480}, std::pair{1920, 1080}}) {
+      bench_workload(make_scene_workload(name, width, height, options.scenes, options.scale),
+                     options, rows);
+    }
+  }
+  if (rows.empty()) throw BenchMismatch("nothing was compared: no engine of those runs on that");
+  return rows;
+}
+
+}  // namespace halfspace

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the bench times: one engine on one workload.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "bench.hpp"
+#include "framebuffer.hpp"
+#include "workload.hpp"
+
+namespace halfspace {
+
+// What one run over a workload found. What an engine cannot tell is empty.
+struct BenchOutput {
+  std::uint64_t samples = 0;
+  std::optional<std::uint64_t> tiles;
+  std::optional<std::uint64_t> clocks;
+  std::optional<Image> picture;
+  std::optional<std::vector<std::uint8_t>> hits;  // as HitCount::count()
+};
+
+// count is called first, once and untimed, so that what an engine does once (buffers, compiled
+// shaders) is done; then run, as often as there are repetitions. The workload must outlive both.
+struct BenchEntry {
+  BenchRow row;
+  std::function<void()> run;
+  std::function<BenchOutput()> count;
+};
+
+// Which of an engine's instruction sets are wanted.
+std::vector<std::string> wanted_isas(const BenchOptions& options,
+                                     const std::vector<std::string_view>& there_are);
+
+// What a frame has where nothing is drawn.
+inline constexpr Rgb kBenchBackground{24, 26, 33};
+
+// Samples that the plain loop over the bounding box covers: what all others must find.
+std::uint64_t scalar_samples(const Workload& work);
+
+// The engines of level coverage and below: scalar, bit, coverage, cycle.
+std::vector<BenchEntry> coverage_entries(const Workload& work, const BenchOptions& options);
+
+// Engines of whole frames, work.mesh drawn with depth test and colour: bit.
+std::vector<BenchEntry> frame_entries(const Workload& work, const BenchOptions& options);
+
+// The Verilated RTL; nothing when the build has none.
+std::vector<BenchEntry> rtl_entries(const Workload& work);
+bool has_rtl();
+
+// Mesa's llvmpipe through OSMesa on the same triangles, or the same mesh; nothing when it is not
+// there. One thread, all of its work in the calling one.
+std::vector<BenchEntry> llvmpipe_coverage_entries(const Workload& work);
+std::vector<BenchEntry> llvmpipe_frame_entries(const Workload& work);
+// Empty when it is there, else why not.
+std::string no_llvmpipe();
+
+}  // namespace halfspace

@@ -1,0 +1,156 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""halfspace bench: what its rows say, and that engines are only compared on equal work. No times."""
+import json
+import os
+import pathlib
+import re
+import struct
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["HALFSPACE"]
+TESTS = pathlib.Path(os.environ["HALFSPACE_TESTS"])
+HAS_RTL = os.environ.get("HALFSPACE_HAS_RTL") == "ON"
+
+FIELDS = {"workload": str, "engine": str, "isa": str, "threads": int, "ns_per_triangle": float,
+          "mpixels_per_s": float, "tiles_per_s": float, "covered_samples": int,
+          "repetitions": int, "min": float, "median": float, "max": float,
+          "size": str, "work": str, "triangles": int, "time": str}
+GENERATED = ("small", "medium", "large", "fullscreen", "sliver")
+
+
+class Bench(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.out = pathlib.Path(self.folder.name)
+        self.addCleanup(self.folder.cleanup)
+
+    def run_bench(self, *args, scenes=TESTS / "scenes"):
+        return subprocess.run([PROGRAM, "bench", "--scenes", scenes, *map(str, args)],
+                              capture_output=True, text=True, timeout=300)
+
+    def rows(self, *args):
+        file = self.out / "b.json"
+        done = self.run_bench("--out", file, *args)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = json.loads(file.read_text())
+        self.assertEqual(len(done.stdout.splitlines()), len(rows) + 1)
+        return rows
+
+    def refuse(self, code, *args, says=""):
+        done = self.run_bench("--out", self.out / "b.json", *args)
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertRegex(done.stderr, rf"^halfspace: error\[{code}\]: [^\n]*\n\Z")
+        self.assertIn(says, done.stderr)
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(list(self.out.iterdir()), [])
+
+    @classmethod
+    def has_llvmpipe(cls):
+        done = subprocess.run([PROGRAM, "bench", "--workload", "tile", "--scale", "0.001",
+                               "--engine", "llvmpipe"], capture_output=True, text=True)
+        return "HS060" not in done.stderr
+
+    def engines(self):
+        return ({"scalar", "bit", "coverage", "cycle"} | ({"rtl"} if HAS_RTL else set()) |
+                ({"llvmpipe"} if self.has_llvmpipe() else set()))
+
+    def test_every_engine_covers_the_same_samples_of_every_workload(self):
+        rows = self.rows("--scale", "0.01", "--threads", 1, 2)
+        covered, engines = {}, {}
+        for row in rows:
+            for field, kind in FIELDS.items():
+                self.assertIsInstance(row[field], kind, (field, row))
+            self.assertEqual(row["repetitions"], 5)
+            self.assertLessEqual(row["min"], row["median"])
+            self.assertLessEqual(row["median"], row["max"])
+            self.assertEqual(row["ns_per_triangle"], row["median"])
+            self.assertGreater(row["min"], 0)
+            self.assertEqual(row["time"], "wall" if row["threads"] > 1 else "thread")
+            total = row["median"] * row["triangles"]
+            self.assertAlmostEqual(row["mpixels_per_s"], 1e3 * row["covered_samples"] / total,
+                                   delta=1e-6 * row["mpixels_per_s"])
+            self.assertEqual("clocks" in row, row["engine"] in ("cycle", "rtl"))
+            frame = (row["workload"], row["size"])
+            covered.setdefault(frame, set()).add(row["covered_samples"])
+            engines.setdefault(frame, set()).add(row["engine"])
+        self.assertEqual(len({(r["workload"], r["size"], r["work"], r["engine"], r["isa"],
+                               r["threads"]) for r in rows}), len(rows))
+        scenes = [(s, f) for s in ("teapot", "bunny", "million") for f in ("640x480", "1920x1080")]
+        self.assertEqual(set(covered), {(w, "1024x1024") for w in GENERATED} | set(scenes))
+        for frame, samples in covered.items():
+            self.assertEqual(len(samples), 1, frame)
+            self.assertGreater(min(samples), 0, frame)
+            self.assertEqual(engines[frame], self.engines(), frame)
+        # Engine bit's whole pictures, against the driver's.
+        for row in rows:
+            if row["work"] == "frame" and row["engine"] == "llvmpipe":
+                self.assertLessEqual(row["largest_difference"], 255)
+                self.assertLessEqual(row["pixels_off"], 20, row)
+
+    def test_workloads_engines_and_isas_are_those_asked_for(self):
+        rows = self.rows("--scale", "0.001", "--workload", "small", "px16", "--engine", "scalar",
+                         "coverage", "cycle", "--isa", "scalar", "--threads", "1",
+                         "--repetitions", "3")
+        self.assertEqual([(r["workload"], r["engine"], r["isa"], r["repetitions"]) for r in rows],
+                         [(w, e, i, 3) for w in ("small", "px16")
+                          for e, i in (("scalar", "-"), ("coverage", "scalar"),
+                                       ("cycle", "scalar"))])
+        self.assertEqual([r["triangles"] for r in rows], [1000] * 3 + [40] * 3)
+
+    def test_cycle_simulates_the_clocks_of_the_rtl(self):
+        rows = self.rows("--scale", "0.01", "--workload", "quad", "px32", "px16", "tile",
+                         "--engine", "cycle", *(["rtl"] if HAS_RTL else []), "--threads", "1")
+        for workload in ("quad", "px32", "px16", "tile"):
+            clocks = {r["clocks"] for r in rows if r["workload"] == workload}
+            self.assertEqual(len(clocks), 1, workload)
+
+    def test_a_run_that_compares_nothing_fails(self):
+        done = self.run_bench("--workload", "small", "--scale", "0.001", "--engine", "cycle",
+                              "--isa", "avx3_dl")
+        # Engine cycle has no such form; on a machine without it the option itself is refused.
+        self.assertIn(done.returncode, (1, 2), done.stdout)
+        self.assertRegex(done.stderr, "nothing was compared|HS061")
+
+    def test_mesh_out_writes_the_mesh_it_times(self):
+        path = self.out / "m.ply"
+        self.assertEqual(self.run_bench("--mesh-out", path, "--scale", "0.004").returncode, 0)
+        data = path.read_bytes()
+        header = data[:data.index(b"end_header\n") + 11]
+        vertices = int(re.search(rb"element vertex (\d+)", header)[1])
+        faces = int(re.search(rb"element face (\d+)", header)[1])
+        self.assertGreaterEqual(faces, 4000)
+        self.assertEqual(len(data), len(header) + 27 * vertices + 13 * faces)
+        last = struct.unpack("<B3I", data[-13:])
+        self.assertEqual(last[0], 3)
+        self.assertLess(max(last[1:]), vertices)
+        stats = self.out / "s.json"
+        subprocess.run([PROGRAM, "render", path, "--size", "64x48", "--out", self.out / "m.png",
+                        "--stats", stats], check=True, timeout=60)
+        self.assertEqual(json.loads(stats.read_text())["triangles"], faces)
+
+    def test_bad_options(self):
+        small = ("--scale", "0.001", "--workload", "small")
+        self.refuse("HS001", "--workload", "tiny", says="tiny")
+        self.refuse("HS001", *small, "--engine", "gpu", says="gpu")
+        self.refuse("HS001", *small, "--repetitions", "0", says="0")
+        self.refuse("HS001", *small, "--repetitions", "1001", says="1001")
+        self.refuse("HS001", *small, "--threads", "0", says="0")
+        self.refuse("HS001", "--workload", "small", "--scale=-1", says="-1")
+        self.refuse("HS001", "--workload", "small", "--scale", "nan", says="nan")
+        self.refuse("HS001", *small, "--speed", "9")
+        self.refuse("HS061", *small, "--isa", "avx1024", says="avx1024")
+        self.refuse("HS010", "--workload", "bunny", "--scenes", self.out / "none",
+                    says="none/bunny.obj")
+        self.refuse("HS030", *small, "--out", self.out / "no" / "b.json")
+        self.refuse("HS030", "--mesh-out", self.out / "no" / "m.ply", "--scale", "0.001")
+        if not HAS_RTL:
+            self.refuse("HS040", *small, "--engine", "rtl")
+        if not self.has_llvmpipe():
+            self.refuse("HS060", *small, "--engine", "llvmpipe")
+
+
+if __name__ == "__main__":
+    unittest.main()
