@@ -40,7 +40,8 @@ class Bench(unittest.TestCase):
         return rows
 
     def refuse(self, code, *args, says=""):
-        done = self.run_bench("--out", self.out / "b.json", *args)
+        out = () if "--out" in args else ("--out", self.out / "b.json")
+        done = self.run_bench(*out, *args)
         self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
         self.assertRegex(done.stderr, rf"^halfspace: error\[{code}\]: [^\n]*\n\Z")
         self.assertIn(says, done.stderr)

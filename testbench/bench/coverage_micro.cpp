@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Google Benchmark at the micro level: ns per setup (triangles that cover nothing), per window (one
-// 32 px window each), per strip of eight rows, per record added to hit counts.
+// 32 px window each, setup included), per strip of eight rows, per tile of triangles of 200 px
+// (setup included), per record added to hit counts.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -9,11 +10,13 @@
 
 #include "batch/coverage_engine.hpp"
 #include "batch/hit_plane.hpp"
-#include "coverage_bench.hpp"
 #include "generators.hpp"
+#include "workload.hpp"
 
 namespace halfspace {
 namespace {
+
+constexpr FrameState kFrame{1024, 1024, Cull::kNone};
 
 // n copies of a triangle given in pixels.
 std::vector<Triangle> copies(std::size_t n, std::array<double, 6> px) {
@@ -24,14 +27,21 @@ std::vector<Triangle> copies(std::size_t n, std::array<double, 6> px) {
   return std::vector<Triangle>(n, t);
 }
 
+// The time of one item, for an iteration that does `items` of them.
+void report(benchmark::State& state, std::size_t items) {
+  using benchmark::Counter;
+  state.counters["one"] =
+      Counter(static_cast<double>(items), Counter::kIsIterationInvariantRate | Counter::kInvert);
+}
+
 void cover(benchmark::State& state, std::string_view isa, const std::vector<Triangle>& triangles,
            std::size_t items) {
-  CoverageEngine engine(kBenchFrame, kBenchConfig, isa);
+  CoverageEngine engine(kFrame, kBenchConfig, isa);
   for (auto _ : state) {
     engine.cover(triangles,
                  [](const CoverageChunk& chunk) { benchmark::DoNotOptimize(chunk.place.data()); });
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(items));
+  report(state, items);
 }
 
 void setup(benchmark::State& state, std::string_view isa) {
@@ -46,14 +56,23 @@ void strip(benchmark::State& state, std::string_view isa) {
   cover(state, isa, copies(64, {10, 0, 1000, 0, 500, 1024}), 64 * 128);
 }
 
+void tile(benchmark::State& state, std::string_view isa) {
+  const std::vector<Triangle> triangles = bench_triangles("medium", 0.01);
+  RasterStats stats;
+  CoverageEngine(kFrame, kBenchConfig, isa).cover(triangles, [&](const CoverageChunk& chunk) {
+    count_records(chunk, stats);
+  });
+  cover(state, isa, triangles, stats.tiles_covered);
+}
+
 void hits(benchmark::State& state, std::string_view isa) {
-  CoverageEngine engine(kBenchFrame, kBenchConfig, isa);
+  CoverageEngine engine(kFrame, kBenchConfig, isa);
   const std::vector<Triangle> triangles = bench_triangles("medium", 0.005);
   engine.fill(triangles, 0);
   const CoverageChunk chunk = engine.chunk();
-  HitPlane plane(kBenchFrame.width, kBenchFrame.height);
+  HitPlane plane(kFrame.width, kFrame.height);
   for (auto _ : state) plane.add(chunk);
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(chunk.records()));
+  report(state, chunk.records());
 }
 
 }  // namespace
@@ -64,6 +83,7 @@ int main(int argc, char** argv) {
     const std::string name(isa);
     benchmark::RegisterBenchmark(("setup/" + name).c_str(), halfspace::setup, isa);
     benchmark::RegisterBenchmark(("window/" + name).c_str(), halfspace::window, isa);
+    benchmark::RegisterBenchmark(("tile/" + name).c_str(), halfspace::tile, isa);
     benchmark::RegisterBenchmark(("strip/" + name).c_str(), halfspace::strip, isa);
   }
   benchmark::RegisterBenchmark("hit_plane", halfspace::hits, halfspace::coverage_isas().front());
