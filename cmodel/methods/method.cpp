@@ -10,8 +10,26 @@ namespace {
 
 std::vector<Method> collect() {
   std::vector<Method> list;
+  add_lines(list);
   add_edge_walk(list);
   add_edge_function(list);
+  add_speed_hacks(list);
+  add_fill_rules(list);
+  add_plane_equation(list);
+  add_barycentric(list);
+  add_reference_point(list);
+  add_scaled_line(list);
+  add_tiled(list);
+  add_mask_table(list);
+  add_warnock(list);
+  add_micropolygons(list);
+  add_parity_scan(list);
+  add_active_edge_table(list);
+  add_decomposition(list);
+  add_constrained(list);
+  add_shading(list);
+  add_projection(list);
+  add_clipping(list);
   add_pipeline(list);
   return list;
 }
