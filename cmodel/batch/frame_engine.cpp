@@ -60,7 +60,7 @@ class FrameEngine::Work {
         passed_(static_cast<std::size_t>(options.threads)) {
     const std::size_t threads = passed_.size();
     for (std::size_t i = 0; i < (threads == 1 ? 1 : threads * kPiecesPerThread); ++i) {
-      pieces_.emplace_back(frame, config, kernels_.isa);
+      pieces_.emplace_back(frame, config, kernels_);
       plain_.emplace_back(frame, config);
     }
     geometry_.resize(pieces_.size());
@@ -94,10 +94,15 @@ class FrameEngine::Work {
     if (records_.size() < source.size() + kVertexSlack) {
       records_.resize(source.size() + kVertexSlack);
     }
-    project(source);
+    projected_ = 0;
+    if (options_.threads > 1) project_all(source);
     draw_pieces(triangles.size(), [&](std::size_t piece, std::size_t first, std::size_t count) {
-      assemble(source, records_, triangles.subspan(first, count), constants_.colors, plain_[piece],
-               pieces_[piece].assembly(), geometry_[piece]);
+      const auto some = triangles.subspan(first, count);
+      const std::size_t end = kernels_.highest(some.front().data(), 3 * count) + std::size_t{1};
+      HS_CHECK(end <= source.size());
+      if (options_.threads == 1) project_to(source, end);
+      assemble(source, records_, some, constants_.colors, plain_[piece], pieces_[piece].assembly(),
+               geometry_[piece]);
     });
     for (std::size_t i = 0; i < pieces_.size(); ++i) add_geometry(i);
   }
@@ -135,7 +140,7 @@ class FrameEngine::Work {
     }
   }
 
-  void project(const VertexSource& source) {
+  void project_all(const VertexSource& source) {
     std::atomic<std::size_t> next = 0;
     run(options_.threads, [&](int) {
       for (;;) {
@@ -145,6 +150,14 @@ class FrameEngine::Work {
                          records_.data());
       }
     });
+  }
+
+  // Vertices are projected when they are needed: most meshes use them about in their order, and
+  // then their records are still in the cache.
+  void project_to(const VertexSource& source, std::size_t end) {
+    if (end <= projected_) return;
+    kernels_.project(project_, source, projected_, end - projected_, records_.data());
+    projected_ = end;
   }
 
   // Calls assemble(piece, first, count) for each piece of `triangles`, and draws what comes of it.
@@ -247,6 +260,7 @@ class FrameEngine::Work {
   RasterStats setup_;  // already in stats_, of the engines' own counts
   GeometryStats geometry_sum_;
   std::vector<VertexRecord> records_;
+  std::size_t projected_ = 0;  // records of the draw that are done
   std::vector<FramePiece> pieces_;
   std::vector<GeometryStage> plain_;     // one per piece
   std::vector<GeometryStats> geometry_;  // of what plain_ did not see

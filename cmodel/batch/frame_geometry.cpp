@@ -57,9 +57,6 @@ void Assembly::append(const ShadedTriangle& shaded, int colors) {
 void assemble(const VertexSource& source, const std::vector<VertexRecord>& records,
               std::span<const TriangleIndices> triangles, int colors, GeometryStage& plain,
               Assembly& out, GeometryStats& stats) {
-  std::uint32_t highest = 0;
-  for (const TriangleIndices& t : triangles) highest = std::max({highest, t[0], t[1], t[2]});
-  HS_CHECK(triangles.empty() || highest < source.size());
   out.reserve(triangles.size());
   std::vector<ShadedTriangle> pieces;
   for (const TriangleIndices& t : triangles) {

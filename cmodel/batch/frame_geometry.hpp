@@ -63,7 +63,7 @@ struct Assembly {
 
 // Appends the pieces of mesh triangles, as GeometryStage::process() would in that order.
 //
-//   records   of all the source's vertices
+//   records   of the source's vertices; all indices are below its size
 //   plain     for those that are cut; its counts are separate
 //   stats     added to, for those that are not
 void assemble(const VertexSource& source, const std::vector<VertexRecord>& records,

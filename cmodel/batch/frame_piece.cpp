@@ -7,8 +7,9 @@
 
 namespace halfspace {
 
-FramePiece::FramePiece(const FrameState& frame, const Config& config, std::string_view isa)
-    : engine_(frame, config, isa) {}
+FramePiece::FramePiece(const FrameState& frame, const Config& config,
+                       const simd::FrameKernels& kernels)
+    : kernels_(kernels), engine_(frame, config, kernels.isa) {}
 
 void FramePiece::cover(const FrameConstants& constants, const std::vector<VertexRecord>& records,
                        std::size_t enough, int owners) {
@@ -68,7 +69,7 @@ void FramePiece::list_records(const CoverageChunk& chunk) {
 }
 
 void FramePiece::make_planes(const FrameConstants& constants) {
-  for (std::size_t k = 0; k < count_; ++k) depth_[k] = depth_plane(triangle_[k], constants);
+  kernels_.planes(constants, triangle_.data(), count_, depth_.data());
   const auto samples = static_cast<std::size_t>(constants.samples);
   if (samples == 1) return;
   if (depth_delta_.size() < count_ * samples) depth_delta_.resize(2 * count_ * samples);

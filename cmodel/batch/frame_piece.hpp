@@ -17,7 +17,7 @@ namespace halfspace {
 // each other, so threads may prepare several at a time. Keeps its buffers between uses.
 class FramePiece {
  public:
-  FramePiece(const FrameState& frame, const Config& config, std::string_view isa);
+  FramePiece(const FrameState& frame, const Config& config, const simd::FrameKernels& kernels);
 
   // Triangles to cover: fill this, then call start().
   Assembly& assembly() { return assembly_; }
@@ -44,6 +44,7 @@ class FramePiece {
   void make_planes(const FrameConstants& constants);
   void sort_records(int owners);
 
+  const simd::FrameKernels& kernels_;
   CoverageEngine engine_;
   Assembly assembly_;
   std::size_t done_ = 0;

@@ -29,24 +29,9 @@ InterpolationSetup plain_planes(const FrameTriangle& triangle, const FrameConsta
   return interpolation_setup(setup, points, attributes, count, constants.config);
 }
 
-FramePlane depth_plane(const FrameTriangle& triangle, const FrameConstants& constants) {
-  const Config& config = constants.config;
-  const FrameEdges e = frame_edges(triangle, constants);
-  const int up = kPlaneBits - config.depth_bits - kDepthFractionBits;
-  const auto value = [&](std::size_t i) {
-    return static_cast<std::int64_t>(triangle.vertex[i]->depth) << up;
-  };
-  const std::int64_t d1 = value(1) - value(0);
-  const std::int64_t d2 = value(2) - value(0);
-  const int shift = config.subpixel_bits + constants.gradient_bits;
-  bool wild = false;
-  const std::uint64_t dx = guessed_gradient(d1 * e.a2 + d2 * e.a0, shift, e, wild);
-  const std::uint64_t dy = guessed_gradient(d1 * e.b2 + d2 * e.b0, shift, e, wild);
-  if (wild) {
-    const Plane plane = plain_planes(triangle, constants, 0).depth;
-    return frame_plane(plane.at_vertex0, plane.dx, plane.dy, e, constants);
-  }
-  return frame_plane(static_cast<std::uint64_t>(value(0)) << constants.gradient_bits, dx, dy, e,
+FramePlane plain_depth_plane(const FrameTriangle& triangle, const FrameConstants& constants) {
+  const Plane plane = plain_planes(triangle, constants, 0).depth;
+  return frame_plane(plane.at_vertex0, plane.dx, plane.dy, frame_edges(triangle, constants),
                      constants);
 }
 

@@ -21,7 +21,7 @@ struct FrameEdges {
   std::int64_t x = 0, y = 0;    // from vertex 0 to the centre of pixel (0, 0), S.f px
 };
 
-FrameEdges inline frame_edges(const FrameTriangle& triangle, const FrameConstants& c) {
+inline FrameEdges frame_edges(const FrameTriangle& triangle, const FrameConstants& c) {
   const Point p = triangle.vertex[0]->point;
   const Point q = triangle.vertex[1]->point;
   const Point r = triangle.vertex[2]->point;
@@ -104,8 +104,26 @@ inline std::array<std::uint32_t, 3> packed_inverse_w(const FrameTriangle& t,
 InterpolationSetup plain_planes(const FrameTriangle& triangle, const FrameConstants& constants,
                                 int count);
 
+// The same for the depth plane.
+FramePlane plain_depth_plane(const FrameTriangle& triangle, const FrameConstants& constants);
+
 // The depth plane of a triangle that covers a sample.
-FramePlane depth_plane(const FrameTriangle& triangle, const FrameConstants& constants);
+inline FramePlane depth_plane(const FrameTriangle& triangle, const FrameConstants& c) {
+  const FrameEdges e = frame_edges(triangle, c);
+  const int up = kPlaneBits - c.config.depth_bits - kDepthFractionBits;
+  const auto value = [&](std::size_t i) {
+    return static_cast<std::int64_t>(triangle.vertex[i]->depth) << up;
+  };
+  const std::int64_t d1 = value(1) - value(0);
+  const std::int64_t d2 = value(2) - value(0);
+  const int shift = c.config.subpixel_bits + c.gradient_bits;
+  bool wild = false;
+  const std::uint64_t dx = guessed_gradient(d1 * e.a2 + d2 * e.a0, shift, e, wild);
+  const std::uint64_t dy = guessed_gradient(d1 * e.b2 + d2 * e.b0, shift, e, wild);
+  if (wild) [[unlikely]]
+    return plain_depth_plane(triangle, c);
+  return frame_plane(static_cast<std::uint64_t>(value(0)) << c.gradient_bits, dx, dy, e, c);
+}
 
 // Its red, green, blue and 1/w without guesses: the definition, and the scalar kernel's way.
 ShadePlanes plain_shade_planes(const FrameTriangle& triangle, const FrameConstants& constants);

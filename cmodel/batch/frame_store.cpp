@@ -2,6 +2,7 @@
 #include "frame_store.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <new>
 
 #include "../fixed.hpp"
@@ -69,41 +70,55 @@ std::uint32_t FrameStore::averaged(const std::uint32_t* tile, std::size_t lane) 
   return pack(mean);
 }
 
-void FrameStore::resolve_rgba(std::span<std::uint32_t> pixels) const {
+// One line of pixels of a row of tiles, from the first column on: whole runs of untouched tiles at
+// once, because most of a large frame is background.
+void FrameStore::resolve_line(std::uint32_t row, std::size_t first_lane, std::uint32_t* to) const {
+  const std::size_t grid = static_cast<std::size_t>(config_.grid());
   const auto width = static_cast<std::size_t>(width_);
-  HS_CHECK(pixels.size() == width * static_cast<std::size_t>(height_));
-  const auto grid = static_cast<std::size_t>(config_.grid());
-  for (std::size_t y = 0; y < static_cast<std::size_t>(height_); ++y) {
-    std::uint32_t* line = pixels.data() + y * width;
-    const std::size_t first_lane = (y & (grid - 1)) * grid;
-    for (std::uint32_t column = 0; column < columns_; ++column) {
-      const std::uint32_t* from =
-          find_tile(column, static_cast<std::uint32_t>(y >> config_.grid_log2));
-      std::uint32_t* to = line + column * grid;
+  const std::uint8_t* live = live_.data() + std::size_t{row} * columns_;
+  const std::uint32_t* from = rows_[row].get() + lanes_ + first_lane;
+  std::uint32_t column = 0;
+  while (column < columns_) {
+    const std::uint32_t dead = column;
+    while (column < columns_ && live[column] == 0) ++column;
+    std::fill(to + dead * grid, to + std::min(column * grid, width), background_);
+    for (; column < columns_ && live[column] != 0; ++column) {
+      const std::uint32_t* color = from + column * tile_words_;
       const std::size_t count = std::min(grid, width - column * grid);
-      if (from == nullptr) {
-        std::fill_n(to, count, background_);
-      } else if (config_.samples == 1) {
-        const std::uint32_t* color = from + lanes_ + first_lane;
-        if (count == 8) {
-          std::copy_n(color, 8, to);
-        } else {
-          std::copy_n(color, count, to);
+      if (config_.samples > 1) {
+        for (std::size_t i = 0; i < count; ++i) {
+          to[column * grid + i] = averaged(color - lanes_ - first_lane, first_lane + i);
         }
+      } else if (count == 8) {
+        std::memcpy(to + column * 8, color, 32);
       } else {
-        for (std::size_t i = 0; i < count; ++i) to[i] = averaged(from, first_lane + i);
+        std::copy_n(color, count, to + column * grid);
       }
     }
   }
 }
 
+void FrameStore::resolve_rgba(std::span<std::uint32_t> pixels) const {
+  const auto width = static_cast<std::size_t>(width_);
+  HS_CHECK(pixels.size() == width * static_cast<std::size_t>(height_));
+  const auto grid = static_cast<std::size_t>(config_.grid());
+  for (std::size_t y = 0; y < static_cast<std::size_t>(height_); ++y) {
+    resolve_line(static_cast<std::uint32_t>(y >> config_.grid_log2), (y & (grid - 1)) * grid,
+                 pixels.data() + y * width);
+  }
+}
+
 Image FrameStore::resolve() const {
   Image image{width_, height_, {}};
-  const std::size_t count = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-  std::vector<std::uint32_t> pixels(count);
-  resolve_rgba(pixels);
-  image.pixel.resize(count);
-  for (std::size_t i = 0; i < count; ++i) image.pixel[i] = unpack(pixels[i]);
+  const auto width = static_cast<std::size_t>(width_);
+  const auto grid = static_cast<std::size_t>(config_.grid());
+  std::vector<std::uint32_t> line(width);
+  image.pixel.resize(width * static_cast<std::size_t>(height_));
+  for (std::size_t y = 0; y < static_cast<std::size_t>(height_); ++y) {
+    resolve_line(static_cast<std::uint32_t>(y >> config_.grid_log2), (y & (grid - 1)) * grid,
+                 line.data());
+    std::transform(line.begin(), line.end(), image.pixel.data() + y * width, unpack);
+  }
   return image;
 }
 

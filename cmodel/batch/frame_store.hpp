@@ -46,6 +46,10 @@ class FrameStore {
     if (live_[at] == 0) make_tile(column, row);
     return rows_[row].get() + column * tile_words_;
   }
+  // Where the tile's memory is or, if its row has none yet, anywhere: to be prefetched.
+  const std::uint32_t* place_of_tile(std::uint32_t column, std::uint32_t row) const {
+    return rows_[row].get() + column * tile_words_;
+  }
   // Null when nothing was drawn there.
   const std::uint32_t* find_tile(std::uint32_t column, std::uint32_t row) const {
     const std::size_t at = std::size_t{row} * columns_ + column;
@@ -60,6 +64,7 @@ class FrameStore {
   };
 
   void make_tile(std::uint32_t column, std::uint32_t row);
+  void resolve_line(std::uint32_t row, std::size_t first_lane, std::uint32_t* to) const;
   std::uint32_t averaged(const std::uint32_t* tile, std::size_t lane) const;
 
   Config config_;

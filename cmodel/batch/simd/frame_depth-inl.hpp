@@ -51,17 +51,7 @@ HWY_INLINE std::uint64_t test_tile(const DepthTest& test, const FramePlane& plan
                                    std::uint32_t* HWY_RESTRICT stored) {
   const DI d;
   const VI step = plane_step<kGridLog2>(plane.lane_dx, plane.lane_dy);
-  constexpr std::size_t kTile = std::size_t{1} << (2 * kGridLog2);
   std::uint64_t passed = 0;
-#if HALFSPACE_AVX512
-  // Straight through: a branch per vector costs more than a vector.
-  VI units = hn::Add(step, hn::Set(d, static_cast<std::int32_t>(base)));
-  const VI down = hn::Set(d, static_cast<std::int32_t>(plane.lane_dy * (kLanes >> kGridLog2)));
-  for (std::size_t lane = 0; lane < kTile; lane += kLanes) {
-    passed |= test_vector(test, units, covered >> lane & kAllLanes, stored + lane) << lane;
-    units = hn::Add(units, down);
-  }
-#else
   while (covered != 0) {
     const std::size_t lane = first_vector(covered);
     const std::uint64_t bits = covered >> lane & kAllLanes;
@@ -70,8 +60,6 @@ HWY_INLINE std::uint64_t test_tile(const DepthTest& test, const FramePlane& plan
     const VI units = hn::Add(step, hn::Set(d, static_cast<std::int32_t>(at)));
     passed |= test_vector(test, units, bits, stored + lane) << lane;
   }
-  static_cast<void>(kTile);
-#endif
   return passed;
 }
 
@@ -128,6 +116,10 @@ HWY_NOINLINE void depth_records(const FrameConstants& c, const FrameTiles& tiles
   for (std::size_t k = 0; k < order.count; ++k) {
     const std::size_t record = order.record == nullptr ? k : order.record[k];
     const std::uint32_t word = tiles.place[record];
+    if (k + kAhead < order.count) {
+      const std::size_t next = order.record == nullptr ? k + kAhead : order.record[k + kAhead];
+      prefetch_tile(store, tiles.place[next] & ~kRunFlag, 0);
+    }
     if (word >> 31 == 0) {
       for (std::size_t m = 0; m < (kOne ? 1 : samples); ++m) mask[m] = tiles.mask[m][record];
       depth_tile<kGridLog2, kOne>(c, test, tiles, record, word, mask, store, out, counts);
@@ -137,10 +129,18 @@ HWY_NOINLINE void depth_records(const FrameConstants& c, const FrameTiles& tiles
     out.reserve(order.count - k + length, samples);
     for (std::size_t m = 0; m < samples; ++m) mask[m] = kFull;
     for (std::uint32_t i = 0; i < length; ++i) {
+      prefetch_tile(store,
+                    (word & ~kRunFlag) + HWY_MIN(i + 3, static_cast<std::uint32_t>(length) - 1), 0);
       depth_tile<kGridLog2, kOne>(c, test, tiles, record, (word & ~kRunFlag) + i, mask, store, out,
                                   counts);
     }
   }
+}
+
+void Planes(const FrameConstants& c, const FrameTriangle* triangles, std::size_t count,
+            FramePlane* HWY_RESTRICT out) {
+  const FrameConstants constants = c;  // nothing aliases it
+  for (std::size_t i = 0; i < count; ++i) out[i] = depth_plane(triangles[i], constants);
 }
 
 void Depth(const FrameConstants& c, const FrameTiles& tiles, const RecordOrder& order,

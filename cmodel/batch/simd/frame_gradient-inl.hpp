@@ -67,18 +67,36 @@ HWY_INLINE VQuad gradient(VQuad d1, std::int64_t s1, VQuad d2, std::int64_t s2, 
   return hn::Sub(g, hn::ShiftRight<63>(rest));
 }
 
-// The vertex's attributes over w and 1/w, units.
-HWY_INLINE void vertex_units(const VertexRecord& vertex, std::uint32_t inverse_w,
-                             std::uint64_t* units) {
+// Four values of a vertex, red, green, blue and 0, in as many vectors as they fill.
+struct QuadValues {
+  VQuad part[kShades / kQuadLanes];
+};
+
+HWY_INLINE QuadValues load_values(const VertexRecord& vertex) {
+#if HALFSPACE_AVX512 || HALFSPACE_AVX2
+  const auto* from = reinterpret_cast<const __m128i*>(vertex.value.data());
+  return {{VQuad{_mm256_cvtepu16_epi64(_mm_loadl_epi64(from))}}};
+#else
   const DQuad d;
-  const std::uint64_t w = inverse_w;
-  alignas(32) const std::uint64_t value[kShades] = {vertex.value[0], vertex.value[1],
-                                                    vertex.value[2], 65536};
-  for (std::size_t at = 0; at < kShades; at += kQuadLanes) {
-    const VQuad product = mul_low(hn::Load(d, value + at), hn::Set(d, w));
-    const VQuad rounded = hn::Add(product, hn::Set(d, std::uint64_t{1} << 15));
-    hn::Store(hn::ShiftRight<16>(rounded), d, units + at);
+  alignas(16)
+      const std::uint64_t value[kShades] = {vertex.value[0], vertex.value[1], vertex.value[2], 0};
+  QuadValues out;
+  for (std::size_t i = 0; i < kShades; i += kQuadLanes) {
+    out.part[i / kQuadLanes] = hn::Load(d, value + i);
   }
+  return out;
+#endif
+}
+
+// 1 in place of a vertex's 0: 1/w over 1.
+inline constexpr std::uint64_t kOne[kShades] = {0, 0, 0, 65536};
+
+// Attributes over w and 1/w, units: over_w() of interpolation.cpp.
+HWY_INLINE VQuad units_over_w(VQuad value, std::size_t at, std::uint32_t inverse_w) {
+  const DQuad d;
+  const VQuad product =
+      mul_low(hn::Or(value, hn::LoadU(d, kOne + at)), hn::Set(d, std::uint64_t{inverse_w}));
+  return hn::ShiftRight<16>(hn::Add(product, hn::Set(d, std::uint64_t{1} << 15)));
 }
 
 // The planes of red, green, blue and 1/w.
@@ -89,10 +107,8 @@ HWY_INLINE void triangle_planes(const FrameConstants& c, const FrameTriangle& tr
   const FrameEdges e = frame_edges(triangle, c);
   const std::array<std::uint32_t, 3> inverse_w = packed_inverse_w(triangle, c);
   const int up = kPlaneBits - c.config.inverse_w_bits;
-  alignas(32) std::uint64_t units[3][kShades];
-  for (std::size_t i = 0; i < 3; ++i) {
-    vertex_units(*triangle.vertex[i], inverse_w[i] << up, units[i]);
-  }
+  QuadValues value[3];
+  for (std::size_t i = 0; i < 3; ++i) value[i] = load_values(*triangle.vertex[i]);
   const QuadEdges quad{hn::Set(d, static_cast<std::uint64_t>(e.area)), hn::Set(dd, e.scale),
                        c.config.subpixel_bits + c.gradient_bits};
   const int F = c.gradient_bits;
@@ -101,9 +117,12 @@ HWY_INLINE void triangle_planes(const FrameConstants& c, const FrameTriangle& tr
   const VQuad y = hn::Set(d, static_cast<std::uint64_t>(e.y));
   auto wild = hn::Zero(dd);
   for (std::size_t at = 0; at < kShades; at += kQuadLanes) {
-    const VQuad v0 = hn::Load(d, units[0] + at);
-    const VQuad d1 = hn::Sub(hn::Load(d, units[1] + at), v0);
-    const VQuad d2 = hn::Sub(hn::Load(d, units[2] + at), v0);
+    const auto units = [&](std::size_t i) HWY_ATTR {
+      return units_over_w(value[i].part[at / kQuadLanes], at, inverse_w[i] << up);
+    };
+    const VQuad v0 = units(0);
+    const VQuad d1 = hn::Sub(units(1), v0);
+    const VQuad d2 = hn::Sub(units(2), v0);
     const VQuad dx = gradient(d1, e.a2, d2, e.a0, quad, wild);
     const VQuad dy = gradient(d1, e.b2, d2, e.b0, quad, wild);
     const VQuad move = hn::Add(mul_wide(dx, x), mul_wide(dy, y));

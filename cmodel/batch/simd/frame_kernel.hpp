@@ -19,6 +19,13 @@ struct RecordOrder {
   std::size_t count = 0;
 };
 
+// Depth planes of `count` triangles.
+using PlaneKernel = void (*)(const FrameConstants& constants, const FrameTriangle* triangles,
+                             std::size_t count, FramePlane* out);
+
+// The greatest of `count` indices, 0 for none.
+using HighestKernel = std::uint32_t (*)(const std::uint32_t* index, std::size_t count);
+
 // Depth test of records, in order, against the store. Appends the tiles where a lane passed.
 using DepthKernel = void (*)(const FrameConstants& constants, const FrameTiles& tiles,
                              const RecordOrder& order, FrameStore& store, PassedTiles& passed,
@@ -35,7 +42,9 @@ using ProjectKernel = void (*)(const ProjectConstants& constants, const VertexSo
 
 struct FrameKernels {
   std::string_view isa;  // as KernelChoice
+  HighestKernel highest;
   ProjectKernel project;
+  PlaneKernel planes;
   DepthKernel depth;
   ShadeKernel shade;
 };
@@ -43,6 +52,9 @@ struct FrameKernels {
 // The readable ones, for any machine: simd/frame_scalar.cpp.
 void project_scalar(const ProjectConstants& constants, const VertexSource& source,
                     std::size_t first, std::size_t count, VertexRecord* out);
+std::uint32_t highest_scalar(const std::uint32_t* index, std::size_t count);
+void planes_scalar(const FrameConstants& constants, const FrameTriangle* triangles,
+                   std::size_t count, FramePlane* out);
 void depth_scalar(const FrameConstants& constants, const FrameTiles& tiles,
                   const RecordOrder& order, FrameStore& store, PassedTiles& passed,
                   FrameCounts& counts);

@@ -32,6 +32,19 @@ HWY_INLINE Divider divider(const FrameConstants& c) {
           hn::Set(DU(), std::uint32_t{1} << (R + 6))};
 }
 
+// Rounded half to even, for values that fit.
+HWY_INLINE VU nearest(VF v) {
+#if HALFSPACE_AVX512
+  return VU{_mm512_cvtps_epi32(v.raw)};
+#elif HALFSPACE_AVX2
+  return VU{_mm256_cvtps_epi32(v.raw)};
+#elif HALFSPACE_SSE
+  return VU{_mm_cvtps_epi32(v.raw)};
+#else
+  return hn::BitCast(DU(), hn::NearestInt(v));
+#endif
+}
+
 // How far a vector of values above 0 is shifted so that bit 31 is set.
 struct Normalizer {
 #if HALFSPACE_AVX512 || HALFSPACE_AVX2
@@ -57,7 +70,7 @@ HWY_INLINE Normalizer normalizer(VI u) {
 #else
   // 2^up as a float, cut to an integer by halves: up may be 31.
   const VU half = hn::ShiftLeft<23>(hn::Add(up, hn::Set(DU(), 126)));
-  const VU power = hn::BitCast(DU(), hn::NearestInt(hn::BitCast(DF(), half)));
+  const VU power = nearest(hn::BitCast(DF(), half));
   const VU one = hn::Set(DU(), 1);
   return {hn::Max(hn::Add(power, power), one)};
 #endif
@@ -68,7 +81,7 @@ HWY_INLINE Normalizer normalizer(VI u) {
 HWY_INLINE VU reciprocal(const Divider& divide, VU mantissa) {
   const VU odd = hn::Add(hn::Add(mantissa, mantissa), hn::Set(DU(), 1));
   const VF quotient = hn::Div(divide.numerator, hn::ConvertTo(DF(), hn::BitCast(DI(), odd)));
-  const VU guess = hn::BitCast(DU(), hn::NearestInt(quotient));
+  const VU guess = nearest(quotient);
   const VU rest = hn::Sub(divide.numerator_low, hn::Mul(guess, odd));
   return hn::Sub(guess, hn::ShiftRight<31>(rest));
 }

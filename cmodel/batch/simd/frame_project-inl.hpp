@@ -142,6 +142,16 @@ HWY_INLINE void project_lanes(const ProjectConstants& c, const ClipLanes& lanes,
   store_records(word, out);
 }
 
+std::uint32_t Highest(const std::uint32_t* index, std::size_t count) {
+  const DU d;
+  auto highest = hn::Zero(d);
+  std::size_t i = 0;
+  for (; i + kLanes <= count; i += kLanes) highest = hn::Max(highest, hn::LoadU(d, index + i));
+  std::uint32_t most = hn::GetLane(hn::MaxOfLanes(d, highest));
+  for (; i < count; ++i) most = HWY_MAX(most, index[i]);
+  return most;
+}
+
 void Project(const ProjectConstants& constants, const VertexSource& source, std::size_t first,
              std::size_t count, VertexRecord* out) {
   if (!source.clip.empty()) {

@@ -78,6 +78,15 @@ void project_scalar(const ProjectConstants& constants, const VertexSource& sourc
   }
 }
 
+std::uint32_t highest_scalar(const std::uint32_t* index, std::size_t count) {
+  return count == 0 ? 0 : *std::max_element(index, index + count);
+}
+
+void planes_scalar(const FrameConstants& constants, const FrameTriangle* triangles,
+                   std::size_t count, FramePlane* out) {
+  for (std::size_t i = 0; i < count; ++i) out[i] = plain_depth_plane(triangles[i], constants);
+}
+
 void depth_scalar(const FrameConstants& constants, const FrameTiles& tiles,
                   const RecordOrder& order, FrameStore& store, PassedTiles& passed,
                   FrameCounts& counts) {

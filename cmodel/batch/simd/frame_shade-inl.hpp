@@ -149,6 +149,9 @@ HWY_NOINLINE void shade_tiles(const FrameConstants& c, FrameStore& store, Passed
   tile.covered = tile.passed = tile.deltas = nullptr;
   for (std::size_t k = 0; k < passed.count; ++k) {
     const PassedTile& at = passed.tile[k];
+    if (k + kAhead < passed.count) {
+      prefetch_tile(store, passed.tile[k + kAhead].place, samples * kTile);
+    }
     start_tile<kGridLog2>(c, passed.planes[at.triangle], at.place, tile);
     if (!kOne) {
       tile.covered = passed.covered.data() + k * samples;
