@@ -1,20 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <memory>
+
+#include "batch/coverage_engine.hpp"
+#include "batch/frame_engine.hpp"
+#include "batch/threads.hpp"
 #include "entry.hpp"
 #include "rasterizer.hpp"
 
 namespace halfspace {
 namespace {
 
+BenchRow bit_row(std::string isa, int threads) {
+  BenchRow row;
+  row.work = "frame";
+  row.engine = "bit";
+  row.isa = std::move(isa);
+  row.threads = threads;
+  return row;
+}
+
 // The stages one after the other, as halfspace render --level bit does it.
-BenchOutput run_bit_frame(const Workload& work) {
+BenchOutput draw_by_stages(const Workload& work) {
   Rasterizer rasterizer(work.frame, kBenchConfig, DepthFunction::kLess, kBenchBackground);
   GeometryStage stage(work.frame, kBenchConfig);
-  std::vector<ShadedTriangle> pieces;
   std::vector<ClipVertex> vertex;
   vertex.reserve(work.mesh->positions.size());
   for (std::uint32_t i = 0; i < work.mesh->positions.size(); ++i) {
     vertex.push_back(work.mesh->vertex(i));
   }
+  std::vector<ShadedTriangle> pieces;
   std::uint32_t tag = 0;
   for (const auto& index : work.mesh->triangles) {
     pieces.clear();
@@ -28,14 +42,64 @@ BenchOutput run_bit_frame(const Workload& work) {
           {}};
 }
 
+// The same frame by FrameEngine, into 32-bit pixels that are kept from frame to frame, as the
+// engine keeps its memory.
+class EngineFrame {
+ public:
+  EngineFrame(const Workload& work, const std::string& isa, int threads)
+      : work_(work),
+        engine_(work.frame, kBenchConfig, options(isa, threads)),
+        pixels_(static_cast<std::size_t>(work.frame.width) *
+                static_cast<std::size_t>(work.frame.height)) {}
+
+  void run() {
+    engine_.clear();
+    engine_.draw(MeshView{work_.mesh->positions, work_.mesh->colors, work_.mesh->triangles},
+                 work_.mesh->matrix);
+    engine_.framebuffer().resolve_rgba(pixels_);
+  }
+
+  BenchOutput count() {
+    run();
+    Image picture{work_.frame.width, work_.frame.height, {}};
+    for (const std::uint32_t pixel : pixels_) {
+      picture.pixel.push_back({static_cast<std::uint8_t>(pixel),
+                               static_cast<std::uint8_t>(pixel >> 8),
+                               static_cast<std::uint8_t>(pixel >> 16)});
+    }
+    return {
+        engine_.stats().samples_covered, engine_.stats().tiles_covered, {}, std::move(picture), {}};
+  }
+
+ private:
+  static FrameOptions options(const std::string& isa, int threads) {
+    FrameOptions out;
+    out.background = kBenchBackground;
+    out.isa = isa;
+    out.threads = threads;
+    out.run = run_on_threads;
+    return out;
+  }
+
+  const Workload& work_;
+  FrameEngine engine_;
+  std::vector<std::uint32_t> pixels_;
+};
+
 }  // namespace
 
-std::vector<BenchEntry> frame_entries(const Workload& work, const BenchOptions&) {
-  BenchRow row;
-  row.work = "frame";
-  row.engine = "bit";
-  const auto draw = [&work] { return run_bit_frame(work); };
-  return {{row, [draw] { draw(); }, draw}};
+std::vector<BenchEntry> frame_entries(const Workload& work, const BenchOptions& options) {
+  std::vector<BenchEntry> entries;
+  const auto by_stages = [&work] { return draw_by_stages(work); };
+  entries.push_back({bit_row("-", 1), [by_stages] { by_stages(); }, by_stages});
+  for (const std::string& isa : wanted_isas(options, coverage_isas())) {
+    for (const int threads : options.threads) {
+      const auto frame = std::make_shared<EngineFrame>(work, isa, threads);
+      entries.push_back(
+          {bit_row(isa, threads), [frame] { frame->run(); }, [frame] { return frame->count(); }});
+    }
+  }
+  return entries;
 }
 
 }  // namespace halfspace
