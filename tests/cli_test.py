@@ -74,7 +74,7 @@ class Cli(unittest.TestCase):
         told = json.loads(stats.read_text())
         for key in ("triangles", "triangles_culled", "tiles_visited", "tiles_covered",
                     "samples_tested", "samples_covered", "fragments", "coverage_crc32",
-                    "wall_seconds", "simulate_seconds", "config"):
+                    "wall_seconds", "simulate_seconds", "peak_memory_bytes", "config"):
             self.assertIn(key, told)
         self.assertEqual(told["triangles"], 992)
         self.assertLessEqual(told["tiles_covered"], told["tiles_visited"])

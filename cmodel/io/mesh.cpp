@@ -58,6 +58,7 @@ struct Checked {
   std::string bytes;
   std::size_t faces = 0;  // that the library must find; 0 where that is not known
   bool is_stl = false;
+  bool shares_vertices = false;  // as a format, by index: the library need not look for equal ones
 };
 
 Checked check_format(const std::string& path, std::string bytes) {
@@ -70,11 +71,11 @@ Checked check_format(const std::string& path, std::string bytes) {
   }
   if (extension == ".gltf" || extension == ".glb") {
     PlainGltf gltf = plain_gltf(path, bytes, extension == ".glb");
-    return {std::move(gltf.bytes), gltf.faces};
+    return {std::move(gltf.bytes), gltf.faces, false, true};
   }
   if (extension == ".ply") {
     const std::size_t faces = check_ply(path, bytes);
-    return {std::move(bytes), faces};
+    return {std::move(bytes), faces, false, true};
   }
   if (extension == ".stl") {
     const std::size_t faces = check_stl(path, bytes);
@@ -175,6 +176,15 @@ void append_part(const std::string& path, const aiScene& scene, const aiMesh& pa
 
 Mesh convert(const std::string& path, const aiScene& scene) {
   Mesh mesh;
+  std::size_t vertices = 0, faces = 0;
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    vertices += scene.mMeshes[m]->mNumVertices;
+    faces += scene.mMeshes[m]->mNumFaces;
+  }
+  mesh.positions.reserve(vertices);
+  mesh.normals.reserve(vertices);
+  mesh.colors.reserve(vertices);
+  mesh.triangles.reserve(faces);
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
     append_part(path, scene, *scene.mMeshes[m], mesh);
   }
@@ -191,7 +201,7 @@ Mesh convert(const std::string& path, const aiScene& scene) {
   return mesh;
 }
 
-Mesh import(const std::string& path, const Checked& checked) {
+Mesh import(const std::string& path, Checked checked) {
   Assimp::Importer importer;
   importer.SetIOHandler(new CheckedFile(path, checked.bytes));  // the importer deletes it
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kCreaseDegrees);
@@ -206,9 +216,12 @@ Mesh import(const std::string& path, const Checked& checked) {
   };
   const aiScene& raw = require(importer.ReadFile(path, 0));
   check_scene(path, raw, checked.faces);
+  checked.bytes = {};  // read; the steps that follow need memory too
 
   unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices |
-                   aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices;
+                   aiProcess_GenSmoothNormals;
+  // Joining takes 600 bytes a vertex.
+  if (!checked.shares_vertices) steps |= aiProcess_JoinIdenticalVertices;
   // Many writers of STL leave the normals zero.
   if (checked.is_stl) steps |= aiProcess_ForceGenNormals;
   return convert(path, require(importer.ApplyPostProcessing(steps)));

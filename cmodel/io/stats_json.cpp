@@ -1,12 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stats_json.hpp"
 
+#include <cinttypes>
+#include <cstdio>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "config_json.hpp"
 #include "output_file.hpp"
 
 namespace halfspace {
+
+// Not getrusage(): that still counts what the process was before exec().
+std::uint64_t peak_memory_bytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    std::uint64_t kilobytes = 0;
+    if (std::sscanf(line.c_str(), "VmHWM: %" SCNu64 " kB", &kilobytes) == 1) {
+      return kilobytes * 1024;
+    }
+  }
+  return 0;
+}
 
 nlohmann::ordered_json stats_json(const RunStats& stats, const Config& config) {
   const RasterStats& r = stats.raster;
@@ -40,6 +56,7 @@ nlohmann::ordered_json stats_json(const RunStats& stats, const Config& config) {
   json["coverage_crc32"] = stats.crc;
   json["wall_seconds"] = stats.wall_seconds;
   json["simulate_seconds"] = stats.simulate_seconds;
+  json["peak_memory_bytes"] = peak_memory_bytes();
   json["config"] = config_json(config);
   return json;
 }

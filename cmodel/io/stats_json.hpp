@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -25,6 +26,9 @@ struct RunStats {
   double simulate_seconds = 0;          // without loading and writing files
   double wall_seconds = 0;
 };
+
+// The most memory this process has had resident so far, bytes; 0 where the system does not say.
+std::uint64_t peak_memory_bytes();
 
 nlohmann::ordered_json stats_json(const RunStats& stats, const Config& config);
 

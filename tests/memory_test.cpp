@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What drawing allocates, whatever the number of triangles. Every allocation of this program is
+// counted.
+#include <gtest/gtest.h>
+#include <malloc.h>
+
+#include <unistd.h>
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <filesystem>
+#include <new>
+#include <stdexcept>
+
+#include "bumpy_torus.hpp"
+#include "cli/level_run.hpp"
+#include "cli/rtl_link.hpp"
+#include "cli/scene.hpp"
+#include "rasterizer.hpp"
+
+namespace {
+
+std::atomic<std::size_t> live_bytes{0};
+std::atomic<std::size_t> peak_bytes{0};
+
+}  // namespace
+
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  void* memory = std::malloc(size);
+  if (memory == nullptr) throw std::bad_alloc();
+  const std::size_t live = live_bytes += malloc_usable_size(memory);
+  peak_bytes = std::max(peak_bytes.load(), live);
+  return memory;
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
+  if (memory != nullptr) live_bytes -= malloc_usable_size(memory);
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+  operator delete(memory);
+}
+
+namespace halfspace {
+
+std::uint64_t rasterize_rtl(std::span<const Triangle>, const FrameState&, const Config&,
+                            const std::function<void(const CoverageTile&)>&) {
+  throw std::logic_error("level rtl keeps all triangles, and is not tested here");
+}
+
+namespace {
+
+constexpr FrameSize kSize{320, 240};
+
+// Bytes allocated on top of the loaded scene while it is drawn, at most.
+std::size_t drawing_bytes(Level level, double triangles) {
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("memory_test_" + std::to_string(getpid()) + ".ply");
+  write_bumpy_torus(path, triangles);
+  const std::unique_ptr<Scene> scene = open_scene(path, -1, kSize, {}, Lighting::kGouraud);
+  std::filesystem::remove(path);
+  EXPECT_GE(scene->triangles(0), triangles);
+
+  const std::size_t before = live_bytes;
+  peak_bytes = before;
+  const FrameState frame = scene->frame(0, kFull);
+  RunStats stats;
+  Rasterizer rasterizer(frame, kFull, DepthFunction::kLess, {});
+  LevelRun run(
+      level, frame, kFull, stats,
+      [&](const ShadedTriangle& triangle, const SetupTriangle& setup) {
+        rasterizer.begin(triangle, setup);
+      },
+      [&](const CoverageTile& tile) {
+        if (level != Level::kCoverage) rasterizer.draw_tile(tile);
+      });
+  scene->draw(0, frame, kFull, stats, [&](const ShadedTriangle& triangle) { run.draw(triangle); });
+  run.finish();
+  EXPECT_GT(stats.raster.samples_covered, 20000U);
+  return peak_bytes - before;
+}
+
+class Memory : public testing::TestWithParam<Level> {};
+
+// A byte kept per triangle would be 400,000 here.
+TEST_P(Memory, DrawingTakesNoMoreForMoreTriangles) {
+  const auto few = static_cast<double>(drawing_bytes(GetParam(), 20000));
+  const auto many = static_cast<double>(drawing_bytes(GetParam(), 420000));
+  EXPECT_NEAR(many, few, 100000);
+  EXPECT_LT(many, 8e6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, Memory,
+                         testing::Values(Level::kCoverage, Level::kBit, Level::kCycle));
+
+}  // namespace
+}  // namespace halfspace
