@@ -10,7 +10,7 @@
 namespace halfspace::methods {
 namespace {
 
-enum class Way { kHeight, kArea, kRatio, kIncremental };
+enum class Way { kHeight, kArea, kShoelace, kRatio, kIncremental };
 
 struct Variant {
   const char* name;
@@ -29,6 +29,16 @@ Real doubled_area(Position a, Position b, Position c) {
          (static_cast<Real>(c.x) - ax) * (static_cast<Real>(b.y) - ay);
 }
 
+// The same from absolute coordinates: what a general polygon's area formula gives.
+template <class Real>
+Real shoelace_area(Position a, Position b, Position c) {
+  const auto part = [](Position p, Position q) {
+    return static_cast<Real>(p.x) * static_cast<Real>(q.y) -
+           static_cast<Real>(q.x) * static_cast<Real>(p.y);
+  };
+  return part(a, b) + part(b, c) + part(c, a);
+}
+
 // Weights at one point, by the way asked for.
 template <class Real>
 class Barycentric {
@@ -40,7 +50,8 @@ class Barycentric {
       scale_[i] = line_[i].at(p_[i]);
       length_[i] = std::hypot(line_[i].a, line_[i].b);
     }
-    area_ = doubled_area<Real>(p_[0], p_[1], p_[2]);
+    area_ = way == Way::kShoelace ? shoelace_area<Real>(p_[0], p_[1], p_[2])
+                                  : doubled_area<Real>(p_[0], p_[1], p_[2]);
   }
   Weights<Real> at(Position p) const {
     Weights<Real> w;
@@ -51,6 +62,9 @@ class Barycentric {
           break;
         case Way::kArea:
           w[i] = doubled_area<Real>(p, p_[(i + 1) % 3], p_[(i + 2) % 3]) / area_;
+          break;
+        case Way::kShoelace:
+          w[i] = shoelace_area<Real>(p, p_[(i + 1) % 3], p_[(i + 2) % 3]) / area_;
           break;
         default: w[i] = line_[i].at(p) / scale_[i]; break;
       }
@@ -105,9 +119,10 @@ void draw(const Facet& facet, Canvas& canvas, const Variant& variant) {
   }
 }
 
-constexpr std::array<Variant, 5> kVariants{{
+constexpr std::array<Variant, 6> kVariants{{
     {"height", "distance to a side over the height", Way::kHeight, true},
     {"area", "ratio of areas", Way::kArea, false},
+    {"shoelace", "ratio of areas by the shoelace formula", Way::kShoelace, false},
     {"ratio", "f(p) / f(vertex), all in [0, 1]", Way::kRatio, true},
     {"ratio_unbounded", "f(p) / f(vertex), all >= 0", Way::kRatio, false},
     {"incremental", "f(p) / f(vertex) by addition along a row", Way::kIncremental, false},

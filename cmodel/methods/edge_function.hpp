@@ -57,8 +57,8 @@ void draw_edge_function(const Facet& facet, Canvas& canvas, const Arithmetic& ar
   if (!(corners.area > 0)) return;
   std::array<EdgeLine<Number>, 3> edge;
   for (std::size_t i = 0; i < 3; ++i) edge[i] = edge_line(corners, i, constant);
-  // A snapped vertex is within half a pixel of the one given.
-  const PixelBox box = pixel_box(facet, canvas, std::is_integral_v<Number> ? 0.5 : 0.0);
+  // The pixels that the box touches; a snapped vertex is within half a pixel of the one given.
+  const PixelBox box = pixel_box(facet, canvas, 0.5);
   for (int y = box.y_first; y <= box.y_last; ++y) {
     if (!canvas.spend(box.empty() ? 1 : box.width())) return;
     const Number py = arithmetic.centre(y);
