@@ -60,6 +60,7 @@ Action add_render_command(CLI::App& program);
 Action add_coverage_command(CLI::App& program);
 Action add_config_command(CLI::App& program);
 Action add_cosim_command(CLI::App& program);
+Action add_chart_command(CLI::App& program);
 Action add_explain_command(CLI::App& program);
 Action add_bench_command(CLI::App& program);
 

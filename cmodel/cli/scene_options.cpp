@@ -26,8 +26,9 @@ glm::dvec3 parse_vector(const std::string& text, const char* option) {
 
 }  // namespace
 
-void SceneOptions::add_to(CLI::App& command) {
-  command.add_option("SCENE", path, "Mesh (OBJ, glTF, GLB, PLY, STL) or TCOV file")->required();
+void SceneOptions::add_to(CLI::App& command, const std::string& name) {
+  command.add_option(name, path, "Mesh (OBJ, glTF, GLB, PLY, STL) or TCOV file")
+      ->required(name.front() != '-');
   command
       .add_option("--size", size, "Frame size in pixels (default 640x480; a TCOV file has its own)")
       ->type_name("WxH");

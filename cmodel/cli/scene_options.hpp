@@ -24,8 +24,9 @@ struct SceneOptions {
   double ortho = -1;
   int case_id = -1;
 
-  // SCENE, --size, --eye, --target, --up, --fov, --ortho, --case.
-  void add_to(CLI::App& command);
+  // The scene, required when it is an argument ("SCENE") and not an option ("--scene"); --size,
+  // --eye, --target, --up, --fov, --ortho, --case.
+  void add_to(CLI::App& command, const std::string& name = "SCENE");
   // Throws Error(kUsage).
   CameraOptions camera() const;
   // Throws what frame_size() and open_scene() throw.

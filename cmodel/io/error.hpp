@@ -37,6 +37,10 @@ enum class ErrorCode : int {
   kIsa = 61,            // an instruction set that this machine does not have
   kPixel = 80,          // a pixel outside the frame
   kSample = 81,         // a sample that the configuration does not have
+  kLabCell = 82,        // unknown method or suite
+  kDrawing = 83,        // a chart cannot be drawn here
+  kChart = 84,          // unknown chart, or one that cannot be measured on this
+  kNoLab = 85,          // this build has no lab
   kInternal = 99,       // a check failed: a bug in Halfspace
 };
 
