@@ -1,77 +1,74 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""charts.py PROGRAM OUT: what the model measures, drawn. SVG and PNG, the data as JSON beside them.
+"""What the program measures, drawn: SVG and PNG, the data as JSON beside them.
 
-efficiency: covered / tested samples and pixels per clock by triangle size, for 4x4 and 8x8 grids.
-Everything is counted by the program on seeded triangles; nothing is timed."""
+charts.py PROGRAM OUT [NAME ...]    measure with PROGRAM, write data and pictures into OUT
+charts.py draw NAME DATA.json FILE  draw data that is there; FILE ends in .svg or .png
+
+Needs Debian's python3-matplotlib. What the charts say: docs/charts/README.md."""
 import json
 import pathlib
-import random
 import subprocess
 import sys
-import tempfile
 
 import matplotlib
 
 matplotlib.use("Agg")
-matplotlib.rcParams["svg.hashsalt"] = "halfspace"  # the same bytes every time
-import matplotlib.pyplot as plt  # noqa: E402
+matplotlib.rcParams.update({
+    "svg.hashsalt": "halfspace",  # the same bytes every time
+    "svg.fonttype": "none", "font.family": "DejaVu Sans", "font.size": 9,
+    "axes.grid": True, "grid.alpha": 0.3, "axes.spines.top": False, "axes.spines.right": False,
+    "legend.frameon": False, "figure.facecolor": "white"})
 
-PROGRAM, OUT = sys.argv[1], pathlib.Path(sys.argv[2])
-FRAME = 2048
-SIZES = [2, 4, 8, 16, 32, 64, 128, 256, 512, 1024]  # side of the square that holds a triangle, px
-GRIDS = {4: {"preset": "full", "grid_log2": 2}, 8: {"preset": "full"}}
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import chart_figures  # noqa: E402
+import chart_maps  # noqa: E402
 
-
-def triangles(side):
-    rng = random.Random(side)
-    for _ in range(max(20, min(2000, 4_000_000 // (side * side)))):
-        x, y = (rng.randrange((FRAME - side) * 256 + 1) for _ in "xy")
-        yield [c + rng.randrange(side * 256 + 1) for _ in range(3) for c in (x, y)]
-
-
-def measure(side, config, folder):
-    scene, stats, settings = (folder / n for n in ("s.tcov", "s.json", "c.json"))
-    lines = [" ".join(map(str, t)) for t in triangles(side)]
-    scene.write_text(f"TCOV 1 1\ncase 0 t {FRAME} {FRAME} {len(lines)} 0 0 0\n" + "\n".join(lines) + "\n")
-    settings.write_text(json.dumps(config))
-    subprocess.run([PROGRAM, "coverage", scene, "--level", "cycle", "--config", settings,
-                    "--out", folder / "o.tcov", "--stats", stats], check=True)
-    s = json.loads(stats.read_text())
-    return {"side_px": side, "triangles": s["triangles"], "samples_covered": s["samples_covered"],
-            "samples_tested": s["samples_tested"], "cycles": s["cycles"],
-            "efficiency": s["samples_covered"] / s["samples_tested"],
-            "pixels_per_clock": s["fragments"] / s["cycles"]}
+FIGURES = {"methods": chart_maps.methods, "subpixel": chart_figures.subpixel,
+           "ladder": chart_figures.ladder, "efficiency": chart_figures.efficiency,
+           "interpolation": chart_figures.interpolation,
+           "accumulator": chart_figures.accumulator, "stability": chart_maps.stability,
+           "peers": chart_maps.peers}
 
 
-def draw(data):
-    figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4))
-    for grid, rows in data.items():
-        sides = [r["side_px"] for r in rows]
-        left.plot(sides, [r["efficiency"] for r in rows], marker="o", label=f"{grid}x{grid} grid")
-        right.plot(sides, [r["pixels_per_clock"] for r in rows], marker="o", label=f"{grid}x{grid} grid")
-    left.set_ylabel("covered / tested samples")
-    right.set_ylabel("covered pixels per clock")
-    for axes in (left, right):
-        axes.set_xlabel("triangles in a square of this side, px")
-        axes.set_xscale("log", base=2)
-        axes.grid(True, alpha=0.3)
-        axes.legend()
-    left.set_ylim(0, 1)
-    right.set_yscale("log", base=2)
-    figure.suptitle("A small grid wastes fewer tests; a large one covers more a clock, at every size")
-    figure.tight_layout()
-    for kind in ("svg", "png"):
-        figure.savefig(OUT / f"efficiency.{kind}", metadata={"Date": None} if kind == "svg" else None)
+def save(figure, path):
+    figure.savefig(path, dpi=110, metadata={"Date": None} if path.suffix == ".svg" else None)
 
 
-OUT.mkdir(parents=True, exist_ok=True)
-with tempfile.TemporaryDirectory() as name:
-    data = {grid: [measure(side, config, pathlib.Path(name)) for side in SIZES]
-            for grid, config in GRIDS.items()}
-(OUT / "efficiency.json").write_text(json.dumps(data, indent=1) + "\n")
-draw(data)
-for grid, rows in data.items():
-    for r in rows:
-        print(f"grid {grid}  side {r['side_px']:5} px  efficiency {r['efficiency']:.3f}  "
-              f"{r['pixels_per_clock']:.2f} px/clock")
+def measure(program, name, data):
+    """Writes the data of a chart; false when this program cannot measure it."""
+    command = {"stability": [program, "stability", "--out", data],
+               "peers": [program, "bench", "--out", data]}
+    done = subprocess.run(command.get(name, [program, "chart", name, "--out", data]),
+                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    if done.returncode != 0:
+        print(f"charts: {name}: not measured: {done.stderr.strip()}", file=sys.stderr)
+    return done.returncode == 0
+
+
+def main():
+    if sys.argv[1] == "draw":
+        _, _, name, data, out = sys.argv
+        save(FIGURES[name](json.loads(pathlib.Path(data).read_text())), pathlib.Path(out))
+        return 0
+    program, out, names = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3:] or list(FIGURES)
+    unknown = [n for n in names if n not in FIGURES]
+    if unknown:
+        sys.exit(f"charts: {unknown[0]} is not one of {', '.join(FIGURES)}")
+    out.mkdir(parents=True, exist_ok=True)
+    failed = 0
+    for name in names:
+        data = out / f"{name}.json"
+        if not measure(program, name, data):
+            failed += 1
+            continue
+        figure = FIGURES[name](json.loads(data.read_text()))
+        for kind in ("svg", "png"):
+            save(figure, out / f"{name}.{kind}")
+        print(f"charts: {out / name}.svg", flush=True)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

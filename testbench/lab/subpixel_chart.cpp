@@ -45,7 +45,7 @@ Json subpixel_chart(const RealScene* scene) {
     data["scenes"].push_back({{"name", scene->name}, {"rows", rows(*scene)}});
     return data;
   }
-  for (const auto& [side, count] : {std::pair{4, 400000}, std::pair{16, 50000}, {64, 4000}}) {
+  for (const auto& [side, count] : {std::pair{4, 200000}, std::pair{16, 25000}, {64, 2500}}) {
     const RealScene random = random_scene(kSeed, count, side, 512, 512);
     data["scenes"].push_back({{"name", random.name}, {"rows", rows(random)}});
   }
