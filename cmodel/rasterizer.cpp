@@ -102,7 +102,25 @@ void Rasterizer::shade(const CoverageTile& tile, const std::array<GridMask, kMax
     for (std::size_t s = 0; s < static_cast<std::size_t>(config_.samples); ++s) {
       if ((passed[s] >> lane & 1) != 0) stored.color[s][static_cast<std::size_t>(lane)] = color;
     }
+    if (fragment_) fragment_(fragment_at(lane, tile, passed, stored, color));
   }
+}
+
+Fragment Rasterizer::fragment_at(int lane, const CoverageTile& tile,
+                                 const std::array<GridMask, kMaxSamples>& passed,
+                                 const FrameTile& stored, const Rgb& color) const {
+  Fragment out;
+  out.x = tile.x + (lane & (config_.grid() - 1));
+  out.y = tile.y + (lane >> config_.grid_log2);
+  out.tag = tile.tag;
+  out.color = color;
+  for (std::size_t s = 0; s < static_cast<std::size_t>(config_.samples); ++s) {
+    out.covered |= static_cast<std::uint16_t>((tile.mask[s] >> lane & 1) << s);
+    if ((passed[s] >> lane & 1) == 0) continue;
+    out.passed |= static_cast<std::uint16_t>(1u << s);
+    out.depth[s] = stored.depth[s][static_cast<std::size_t>(lane)];
+  }
+  return out;
 }
 
 Rgb Rasterizer::color_at(int lane, int sample) const {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <bit>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -102,6 +103,17 @@ void rasterize(const Triangle& triangle, const FrameState& frame, const Config& 
       std::forward<Tile>(tile));
 }
 
+// One pixel of one triangle with a sample that passed the depth test.
+struct Fragment {
+  std::int32_t x = 0;  // pixel
+  std::int32_t y = 0;
+  std::uint32_t tag = 0;
+  std::uint16_t covered = 0;  // bit m: sample m is inside the triangle
+  std::uint16_t passed = 0;   // bit m: it passed
+  Rgb color{};
+  std::array<std::uint32_t, kMaxSamples> depth{};  // of the samples that passed; 0 elsewhere
+};
+
 // The whole pipeline at level bit: coverage, then depth, then, where depth passed, attributes
 // into the framebuffer.
 class Rasterizer {
@@ -120,6 +132,9 @@ class Rasterizer {
   void begin(const ShadedTriangle& triangle, const SetupTriangle& setup);
   void draw_tile(const CoverageTile& tile);
 
+  // Called with every fragment from now on: tiles in order, pixels of a tile by lane. Empty: none.
+  void on_fragment(std::function<void(const Fragment&)> sink) { fragment_ = std::move(sink); }
+
   const Framebuffer& framebuffer() const { return framebuffer_; }
   const RasterStats& stats() const { return stats_; }
   const HitCount& hit_count() const { return hit_count_; }
@@ -128,6 +143,9 @@ class Rasterizer {
   void shade(const CoverageTile& tile, const std::array<GridMask, kMaxSamples>& passed,
              FrameTile& stored);
   Rgb color_at(int lane, int sample) const;
+  Fragment fragment_at(int lane, const CoverageTile& tile,
+                       const std::array<GridMask, kMaxSamples>& passed, const FrameTile& stored,
+                       const Rgb& color) const;
 
   FrameState frame_;
   Config config_;
@@ -135,6 +153,7 @@ class Rasterizer {
   Framebuffer framebuffer_;
   HitCount hit_count_;
   RasterStats stats_;
+  std::function<void(const Fragment&)> fragment_;
 
   // The triangle being drawn, and its planes: planes with attributes once a fragment passed,
   // without before.
