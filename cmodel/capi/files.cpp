@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Configurations in JSON, and scenes from files as the program draws them.
+#include <cmath>
+
+#include "../cli/scene.hpp"
+#include "../io/config_json.hpp"
+#include "model.hpp"
+
+namespace halfspace::capi {
+namespace {
+
+constexpr std::size_t kBatch = 1024;
+constexpr std::uint32_t kAllFlags = HS_CAMERA_EYE | HS_CAMERA_TARGET | HS_CAMERA_UP |
+                                    HS_CAMERA_FOV | HS_CAMERA_ORTHO | HS_CAMERA_FLAT_LIGHT;
+
+glm::dvec3 vector(const double (&v)[3]) {
+  for (const double x : v) {
+    require(std::isfinite(x), HS_ERROR_RANGE, "a camera vector is not finite");
+  }
+  return {v[0], v[1], v[2]};
+}
+
+CameraOptions camera_options(const hs_camera& camera) {
+  require((camera.flags & ~kAllFlags) == 0, HS_ERROR_RANGE, "camera->flags has an unknown bit");
+  require(camera.reserved == 0, HS_ERROR_ARGUMENT, "camera->reserved is not 0");
+  CameraOptions out;
+  if ((camera.flags & HS_CAMERA_EYE) != 0) out.eye = vector(camera.eye);
+  if ((camera.flags & HS_CAMERA_TARGET) != 0) out.target = vector(camera.target);
+  if ((camera.flags & HS_CAMERA_UP) != 0) out.up = vector(camera.up);
+  if ((camera.flags & HS_CAMERA_FOV) != 0) {
+    require(camera.fov_y_degrees > 0 && camera.fov_y_degrees < 180, HS_ERROR_RANGE,
+            "fov_y_degrees is not above 0 and below 180");
+    out.fov_y_degrees = camera.fov_y_degrees;
+  }
+  if ((camera.flags & HS_CAMERA_ORTHO) != 0) {
+    require(camera.ortho_height >= 0 && camera.ortho_height < 1e30, HS_ERROR_RANGE,
+            "ortho_height is negative");
+    out.orthographic = true;
+    if (camera.ortho_height > 0) out.ortho_height = camera.ortho_height;
+  }
+  return out;
+}
+
+void draw(Frame& frame, const Config& config, const Scene& scene) {
+  RunStats stats;
+  std::vector<ShadedTriangle> batch;
+  batch.reserve(kBatch);
+  scene.draw(0, frame.state(), config, stats, [&](const ShadedTriangle& triangle) {
+    batch.push_back(triangle);
+    if (batch.size() < kBatch) return;
+    frame.draw(batch);
+    batch.clear();
+  });
+  frame.draw(batch);
+  frame.count_in(stats.geometry);
+}
+
+}  // namespace
+}  // namespace halfspace::capi
+
+using namespace halfspace;
+using namespace halfspace::capi;
+
+hs_status hs_create_json(const char* text, hs_model** model) {
+  if (model != nullptr) *model = nullptr;
+  return call([&] {
+    require_pointer(text, "text");
+    require_pointer(model, "model");
+    *model = new hs_model(parse_config(text, "configuration"));
+    return HS_OK;
+  });
+}
+
+hs_status hs_draw_scene(hs_model* model, const char* path, const hs_camera* camera) {
+  return call([&] {
+    Frame& frame = frame_of(model);
+    require_pointer(path, "path");
+    hs_camera wanted{};
+    if (camera != nullptr) wanted = read_struct(camera, sizeof(hs_camera), "camera");
+    const Lighting lighting =
+        (wanted.flags & HS_CAMERA_FLAT_LIGHT) != 0 ? Lighting::kFlat : Lighting::kGouraud;
+    const FrameState& state = frame.state();
+    const auto scene =
+        make_mesh_scene(path, state.width, state.height, camera_options(wanted), lighting);
+    draw(frame, model->config, *scene);
+    return HS_OK;
+  });
+}

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the C interface refuses, and that refusing changes nothing.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+
+#include "capi_fixture.hpp"
+
+namespace halfspace {
+namespace {
+
+using capi_test::frame_of;
+using capi_test::Handle;
+using capi_test::pull_all;
+
+constexpr std::int32_t kTriangle[6] = {0, 0, 4000, 0, 0, 4000};
+
+// The status, and one line of text that names `word`.
+void expect_refused(hs_status got, hs_status expected, const std::string& word) {
+  EXPECT_EQ(got, expected) << hs_status_text(got) << ": " << hs_last_error();
+  const std::string text = hs_last_error();
+  EXPECT_NE(text.find(word), std::string::npos) << text;
+  EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+}
+
+TEST(CapiErrors, LibraryIsOfTheHeadersVersion) {
+  EXPECT_EQ(hs_api_version(), static_cast<std::uint32_t>(HALFSPACE_API_VERSION));
+  EXPECT_EQ(std::string(hs_version()), HALFSPACE_VERSION);
+}
+
+TEST(CapiErrors, EveryStatusHasATextOfItsOwn) {
+  std::set<std::string> texts;
+  for (int status = HS_OK; status <= HS_ERROR_INTERNAL + 1; ++status) {
+    texts.insert(hs_status_text(static_cast<hs_status>(status)));
+  }
+  EXPECT_EQ(texts.size(), static_cast<std::size_t>(HS_ERROR_INTERNAL + 2));
+}
+
+TEST(CapiErrors, NullHandlesAndPointersAreRefused) {
+  const Handle model("full");
+  const hs_frame frame = frame_of(8, 8, HS_TILES | HS_FRAGMENTS | HS_PICTURE | HS_CLOCKS);
+  hs_model* none = nullptr;
+  std::size_t count = 1;
+  hs_tile tile;
+  expect_refused(hs_create_preset(nullptr, &none), HS_ERROR_ARGUMENT, "name");
+  expect_refused(hs_create_preset("full", nullptr), HS_ERROR_ARGUMENT, "model");
+  expect_refused(hs_create_json(nullptr, &none), HS_ERROR_ARGUMENT, "text");
+  expect_refused(hs_begin_frame(nullptr, &frame), HS_ERROR_ARGUMENT, "model");
+  expect_refused(hs_begin_frame(model, nullptr), HS_ERROR_ARGUMENT, "frame");
+  expect_refused(hs_get_info(model, nullptr), HS_ERROR_ARGUMENT, "info");
+  ASSERT_EQ(hs_begin_frame(model, &frame), HS_OK);
+  expect_refused(hs_push_triangle(nullptr, kTriangle, 0), HS_ERROR_ARGUMENT, "model");
+  expect_refused(hs_push_triangle(model, nullptr, 0), HS_ERROR_ARGUMENT, "xy");
+  expect_refused(hs_push_triangles(model, nullptr, 1, 0, nullptr), HS_ERROR_ARGUMENT, "xy");
+  expect_refused(hs_push_triangle_px(model, nullptr, 0), HS_ERROR_ARGUMENT, "xy");
+  expect_refused(hs_push_shaded(model, nullptr, 0), HS_ERROR_ARGUMENT, "vertex");
+  expect_refused(hs_push_clip(model, nullptr, 0), HS_ERROR_ARGUMENT, "vertex");
+  expect_refused(hs_draw_scene(model, nullptr, nullptr), HS_ERROR_ARGUMENT, "path");
+  expect_refused(hs_pull_tiles(model, nullptr, 1, &count), HS_ERROR_ARGUMENT, "tile");
+  EXPECT_EQ(count, 0u);
+  expect_refused(hs_pull_tiles(model, &tile, 1, nullptr), HS_ERROR_ARGUMENT, "count");
+  expect_refused(hs_pull_fragments(model, nullptr, 1, &count), HS_ERROR_ARGUMENT, "fragment");
+  expect_refused(hs_get_stats(model, nullptr), HS_ERROR_ARGUMENT, "stats");
+  expect_refused(hs_read_hits(model, nullptr, 64), HS_ERROR_ARGUMENT, "hits");
+  expect_refused(hs_read_depth(model, nullptr, 64), HS_ERROR_ARGUMENT, "depth");
+  expect_refused(hs_read_color(model, nullptr, 192), HS_ERROR_ARGUMENT, "color");
+  expect_refused(hs_read_triangle_clocks(nullptr, 0, 0, nullptr), HS_ERROR_ARGUMENT, "model");
+  hs_destroy(nullptr);
+}
+
+TEST(CapiErrors, BadConfigurationsAreRefusedWithTheirKey) {
+  hs_model* model = nullptr;
+  expect_refused(hs_create_preset("fulll", &model), HS_ERROR_CONFIG, "fulll");
+  EXPECT_EQ(model, nullptr);
+  expect_refused(hs_create_json("{", &model), HS_ERROR_CONFIG, "JSON");
+  expect_refused(hs_create_json("", &model), HS_ERROR_CONFIG, "HS002");
+  expect_refused(hs_create_json("[]", &model), HS_ERROR_CONFIG, "object");
+  expect_refused(hs_create_json(R"({"sub": 1})", &model), HS_ERROR_CONFIG, "sub");
+  expect_refused(hs_create_json(R"({"samples": 3})", &model), HS_ERROR_CONFIG, "samples");
+  expect_refused(hs_create_json(R"({"samples": "4"})", &model), HS_ERROR_CONFIG, "samples");
+  EXPECT_EQ(model, nullptr);
+}
+
+TEST(CapiErrors, CoordinatesBeyondTheRangeAreRefusedNotWrapped) {
+  for (const char* preset : {"tiny", "full", "d3d"}) {
+    const Handle model(preset);
+    hs_info info{};
+    info.struct_size = sizeof info;
+    ASSERT_EQ(hs_get_info(model, &info), HS_OK);
+    const hs_frame frame = frame_of(64, 64, HS_TILES);
+    ASSERT_EQ(hs_begin_frame(model, &frame), HS_OK);
+    const double unit = std::ldexp(1.0, -info.subpixel_bits);
+    for (std::size_t i = 0; i < 6; ++i) {
+      for (const std::int64_t beyond :
+           {std::int64_t{info.coordinate_min} - 1, std::int64_t{info.coordinate_max} + 1,
+            std::int64_t{INT32_MIN}, std::int64_t{INT32_MAX}}) {
+        std::int32_t xy[6] = {0, 0, 4000, 0, 0, 4000};
+        double px[6] = {0, 0, 30, 0, 0, 30};
+        xy[i] = static_cast<std::int32_t>(beyond);
+        px[i] = static_cast<double>(beyond) * unit;
+        const std::string name = std::string(i % 2 == 0 ? "x" : "y") + std::to_string(i / 2);
+        expect_refused(hs_push_triangle(model, xy, 0), HS_ERROR_RANGE, name);
+        expect_refused(hs_push_triangle_px(model, px, 0), HS_ERROR_RANGE, name);
+      }
+      double px[6] = {0, 0, 30, 0, 0, 30};
+      px[i] = std::nan("");
+      expect_refused(hs_push_triangle_px(model, px, 0), HS_ERROR_RANGE, "finite");
+      px[i] = std::numeric_limits<double>::infinity();
+      expect_refused(hs_push_triangle_px(model, px, 0), HS_ERROR_RANGE, "finite");
+      px[i] = 1e300;
+      expect_refused(hs_push_triangle_px(model, px, 0), HS_ERROR_RANGE, "range");
+    }
+    const std::int32_t corners[6] = {info.coordinate_min, info.coordinate_min, info.coordinate_max,
+                                     info.coordinate_min, info.coordinate_min, info.coordinate_max};
+    EXPECT_EQ(hs_push_triangle(model, corners, 0), HS_OK) << "the extremes are legal";
+    hs_stats stats{};
+    stats.struct_size = sizeof stats;
+    ASSERT_EQ(hs_get_stats(model, &stats), HS_OK);
+    EXPECT_EQ(stats.triangles, 1u) << "what was refused was not drawn";
+    EXPECT_EQ(stats.triangles_in, 1u);
+  }
+}
+
+TEST(CapiErrors, TagsAndAttributesBeyondTheirWidthAreRefused) {
+  const Handle model("full");
+  const hs_frame frame = frame_of(64, 64, HS_FRAGMENTS);
+  ASSERT_EQ(hs_begin_frame(model, &frame), HS_OK);
+  expect_refused(hs_push_triangle(model, kTriangle, 1u << 16), HS_ERROR_RANGE, "tag");
+  EXPECT_EQ(hs_push_triangle(model, kTriangle, (1u << 16) - 1), HS_OK);
+  const hs_vertex good{0, 0, 1u << 29, 1u << 29, {255 << 8, 0, 128}};
+  std::array<hs_vertex, 3> v{good, good, good};
+  v[1].x = v[2].y = 4000;
+  EXPECT_EQ(hs_push_shaded(model, v.data(), 0), HS_OK) << hs_last_error();
+  for (std::size_t i = 0; i < 3; ++i) {
+    auto bad = v;
+    bad[i].depth = 1u << 30;
+    expect_refused(hs_push_shaded(model, bad.data(), 0), HS_ERROR_RANGE, "depth");
+    bad = v;
+    bad[i].inverse_w = 0;
+    expect_refused(hs_push_shaded(model, bad.data(), 0), HS_ERROR_RANGE, "inverse_w");
+    bad[i].inverse_w = 1u << 30;
+    expect_refused(hs_push_shaded(model, bad.data(), 0), HS_ERROR_RANGE, "inverse_w");
+    bad = v;
+    bad[i].value[2] = (255 << 8) + 1;
+    expect_refused(hs_push_shaded(model, bad.data(), 0), HS_ERROR_RANGE, "value[2]");
+    bad = v;
+    bad[i].y = INT32_MIN;
+    expect_refused(hs_push_shaded(model, bad.data(), 0), HS_ERROR_RANGE, "y");
+  }
+}
+
+TEST(CapiErrors, FramesOutOfRangeKeepTheOldFrame) {
+  const Handle model("tiny");
+  hs_frame frame = frame_of(64, 64, HS_TILES);
+  ASSERT_EQ(hs_begin_frame(model, &frame), HS_OK);
+  ASSERT_EQ(hs_push_triangle(model, kTriangle, 0), HS_OK);
+  const auto refuse = [&](auto change, const char* word) {
+    hs_frame bad = frame_of(64, 64, HS_TILES);
+    change(bad);
+    const hs_status status = hs_begin_frame(model, &bad);
+    EXPECT_TRUE(status == HS_ERROR_RANGE || status == HS_ERROR_ARGUMENT);
+    expect_refused(status, status, word);
+  };
+  refuse([](hs_frame& f) { f.width = 0; }, "0 x 64");
+  refuse([](hs_frame& f) { f.height = 513; }, "512");
+  refuse([](hs_frame& f) { f.width = -5; }, "-5");
+  refuse([](hs_frame& f) { f.cull = 3; }, "cull");
+  refuse([](hs_frame& f) { f.depth_function = -1; }, "depth_function");
+  refuse([](hs_frame& f) { f.outputs = 1u << 31; }, "outputs");
+  refuse([](hs_frame& f) { f.stall_probability = 1; }, "stall");
+  refuse([](hs_frame& f) { f.stall_probability = std::nan(""); }, "stall");
+  refuse([](hs_frame& f) { f.reserved = 1; }, "reserved");
+  refuse([](hs_frame& f) { f.struct_size = 8; }, "struct_size");
+  refuse([](hs_frame& f) { f.struct_size = 0; }, "struct_size");
+  EXPECT_FALSE(pull_all(model).empty());
+}
+
+TEST(CapiErrors, StructsOfANewerHeaderWorkWhileTheirNewFieldsAreZero) {
+  struct Newer {
+    hs_frame frame;
+    std::uint64_t field;
+  };
+  const Handle model("full");
+  Newer newer{frame_of(8, 8, HS_TILES), 0};
+  newer.frame.struct_size = sizeof newer;
+  EXPECT_EQ(hs_begin_frame(model, &newer.frame), HS_OK);
+  newer.field = 1;
+  expect_refused(hs_begin_frame(model, &newer.frame), HS_ERROR_ARGUMENT, "unknown");
+  struct {
+    hs_info info;
+    std::uint64_t field;
+  } info{{}, ~std::uint64_t{0}};
+  info.info.struct_size = sizeof info;
+  EXPECT_EQ(hs_get_info(model, &info.info), HS_OK);
+  EXPECT_EQ(info.info.struct_size, sizeof info);
+  EXPECT_EQ(info.info.subpixel_bits, 8);
+  EXPECT_EQ(info.info.coordinate_max, (1 << 21) - 1);
+  EXPECT_EQ(info.field, 0u) << "fields this library does not know are 0";
+}
+
+TEST(CapiErrors, CallsBeforeAFrameOrForOutputsNotKeptAreRefused) {
+  const Handle model("full");
+  std::array<hs_tile, 1> tile;
+  std::array<hs_fragment, 1> fragment;
+  std::array<std::uint32_t, 64> depth;
+  std::array<std::uint8_t, 192> color;
+  hs_triangle_clocks clocks;
+  std::size_t count = 0;
+  expect_refused(hs_push_triangle(model, kTriangle, 0), HS_ERROR_ORDER, "hs_begin_frame");
+  expect_refused(hs_reset(model), HS_ERROR_ORDER, "hs_begin_frame");
+  expect_refused(hs_draw_scene(model, "x.obj", nullptr), HS_ERROR_ORDER, "hs_begin_frame");
+  expect_refused(hs_pull_tiles(model, tile.data(), 1, &count), HS_ERROR_ORDER, "hs_begin_frame");
+  hs_frame frame = frame_of(8, 8, HS_COUNTS);
+  ASSERT_EQ(hs_begin_frame(model, &frame), HS_OK);
+  ASSERT_EQ(hs_push_triangle(model, kTriangle, 0), HS_OK);
+  expect_refused(hs_pull_tiles(model, tile.data(), 1, &count), HS_ERROR_ORDER, "HS_TILES");
+  expect_refused(hs_pull_fragments(model, fragment.data(), 1, &count), HS_ERROR_ORDER, "FRAGM");
+  expect_refused(hs_read_depth(model, depth.data(), 64), HS_ERROR_ORDER, "HS_PICTURE");
+  expect_refused(hs_read_color(model, color.data(), 192), HS_ERROR_ORDER, "HS_PICTURE");
+  expect_refused(hs_read_triangle_clocks(model, 0, 1, &clocks), HS_ERROR_ORDER, "HS_CLOCKS");
+  frame.outputs = 0;
+  ASSERT_EQ(hs_begin_frame(model, &frame), HS_OK);
+  EXPECT_EQ(hs_pull_tiles(model, tile.data(), 1, &count), HS_EMPTY) << "0 means tiles";
+}
+
+TEST(CapiErrors, ArraysOfTheWrongSizeAreRefused) {
+  const Handle model("full");
+  const hs_frame frame = frame_of(8, 8, HS_PICTURE | HS_CLOCKS);
+  ASSERT_EQ(hs_begin_frame(model, &frame), HS_OK);
+  ASSERT_EQ(hs_push_triangle(model, kTriangle, 0), HS_OK);
+  std::array<std::uint8_t, 193> bytes;
+  std::array<std::uint32_t, 65> words;
+  std::array<hs_triangle_clocks, 2> clocks;
+  for (const std::size_t wrong : {63u, 65u}) {
+    expect_refused(hs_read_hits(model, bytes.data(), wrong), HS_ERROR_ARGUMENT, "not 64");
+    expect_refused(hs_read_depth(model, words.data(), wrong), HS_ERROR_ARGUMENT, "not 64");
+  }
+  expect_refused(hs_read_color(model, bytes.data(), 64), HS_ERROR_ARGUMENT, "not 192");
+  expect_refused(hs_read_triangle_clocks(model, 0, 2, clocks.data()), HS_ERROR_RANGE, "of 1");
+  expect_refused(hs_read_triangle_clocks(model, 2, 0, clocks.data()), HS_ERROR_RANGE, "of 1");
+  EXPECT_EQ(hs_read_triangle_clocks(model, 0, 1, clocks.data()), HS_OK);
+}
+
+TEST(CapiErrors, ManyTrianglesStopAtTheFirstRefusedAndKeepTheRest) {
+  const Handle model("full");
+  const hs_frame frame = frame_of(64, 64, HS_TILES);
+  ASSERT_EQ(hs_begin_frame(model, &frame), HS_OK);
+  std::vector<std::int32_t> xy;
+  for (int i = 0; i < 2000; ++i) xy.insert(xy.end(), kTriangle, kTriangle + 6);
+  xy[6 * 1500 + 3] = INT32_MAX;
+  std::size_t pushed = 0;
+  expect_refused(hs_push_triangles(model, xy.data(), 2000, 0, &pushed), HS_ERROR_RANGE,
+                 "triangle 1500: y1");
+  EXPECT_EQ(pushed, 1500u);
+  hs_stats stats{};
+  stats.struct_size = sizeof stats;
+  ASSERT_EQ(hs_get_stats(model, &stats), HS_OK);
+  EXPECT_EQ(stats.triangles, 1500u);
+}
+
+TEST(CapiErrors, ScenesThatCannotBeReadAreRefusedWithTheirCode) {
+  const Handle model("full");
+  const hs_frame frame = frame_of(64, 64, HS_TILES);
+  ASSERT_EQ(hs_begin_frame(model, &frame), HS_OK);
+  const std::string folder = HALFSPACE_TEST_DIR "/broken/";
+  expect_refused(hs_draw_scene(model, "no_such.obj", nullptr), HS_ERROR_FILE, "HS010");
+  expect_refused(hs_draw_scene(model, (folder + "nan.obj").c_str(), nullptr), HS_ERROR_FILE,
+                 "HS013");
+  hs_camera camera{};
+  camera.struct_size = sizeof camera;
+  camera.flags = HS_CAMERA_FOV;
+  const std::string teapot = HALFSPACE_TEST_DIR "/scenes/teapot.obj";
+  expect_refused(hs_draw_scene(model, teapot.c_str(), &camera), HS_ERROR_RANGE, "fov");
+  camera.flags = HS_CAMERA_EYE;
+  camera.eye[1] = std::nan("");
+  expect_refused(hs_draw_scene(model, teapot.c_str(), &camera), HS_ERROR_RANGE, "finite");
+  EXPECT_TRUE(pull_all(model).empty());
+}
+
+}  // namespace
+}  // namespace halfspace
