@@ -1,0 +1,176 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The installed package, as people outside the tree use it."""
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCE = pathlib.Path(os.environ["HALFSPACE_SOURCE"])
+BUILD = pathlib.Path(os.environ["HALFSPACE_BUILD"])
+CMAKE = os.environ["CMAKE_COMMAND"]
+PYTHON = os.environ.get("HALFSPACE_PYTHON", "")  # the interpreter the module was built for, or none
+SCENE = SOURCE / "tests/scenes/bunny.obj"
+ARGUMENTS = [str(SCENE), "640", "480"]
+
+
+def run(*command, **options):
+    done = subprocess.run([str(part) for part in command], capture_output=True, text=True,
+                          timeout=400, check=False, **options)
+    if done.returncode != 0:
+        raise AssertionError(f"{command}: exit {done.returncode}\n{done.stdout}\n{done.stderr}")
+    return done.stdout
+
+
+class Package(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.top = pathlib.Path(cls.folder.name)
+        cls.prefix = cls.top / "installed"
+        run(CMAKE, "--install", BUILD, "--prefix", cls.prefix)
+        stats = cls.top / "stats.json"
+        run(cls.prefix / "bin/halfspace", "render", SCENE, "--size", "640x480",
+            "--out", cls.top / "bunny.png", "--stats", stats)
+        cls.crc = str(json.loads(stats.read_text())["coverage_crc32"])
+        cls.libdir = next(cls.prefix.glob("**/libhalfspace.so")).parent
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def consumer(self, name, *options):
+        """Configures and builds a copy of the consumer: no path of the tree can help it."""
+        project = self.top / name
+        shutil.copytree(SOURCE / "tests/consumer", project)
+        headers = sorted(p.relative_to(self.prefix / "include/halfspace")
+                         for p in (self.prefix / "include/halfspace").rglob("*.hpp"))
+        self.assertGreater(len(headers), 30)
+        if name == "package":
+            lines = "".join(f'#include "{h}"\n#include <halfspace/{h}>\n' for h in headers)
+            (project / "headers.cpp").write_text(lines)
+        ccache = shutil.which("ccache")
+        launcher = [f"-DCMAKE_{l}_COMPILER_LAUNCHER={ccache}" for l in ("C", "CXX") if ccache]
+        run(CMAKE, "-S", project, "-B", project / "build", "-G", "Ninja",
+            *launcher, *options)
+        run(CMAKE, "--build", project / "build")
+        return project / "build"
+
+    def test_find_package_gives_the_bunny(self):
+        build = self.consumer("package", "-DCMAKE_BUILD_TYPE=Release",
+                              f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        for program in ("consumer_c", "consumer_static", "consumer_cpp"):
+            self.assertEqual(run(build / program, *ARGUMENTS).strip(), self.crc, program)
+
+    def test_add_subdirectory_gives_the_bunny(self):
+        # The whole library is compiled: without optimization that takes half the time.
+        build = self.consumer("subdirectory", f"-DHALFSPACE_FROM={SOURCE}",
+                              "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O0")
+        for program in ("consumer_c", "consumer_static", "consumer_cpp"):
+            self.assertEqual(run(build / program, *ARGUMENTS).strip(), self.crc, program)
+
+    def test_pkg_config_gives_the_bunny(self):
+        path = {**os.environ, "PKG_CONFIG_PATH": str(self.libdir / "pkgconfig"),
+                "LD_LIBRARY_PATH": str(self.libdir)}
+        version = re.search(r"project\(halfspace VERSION (\S+)",
+                            (SOURCE / "CMakeLists.txt").read_text()).group(1)
+        self.assertEqual(run("pkg-config", "--modversion", "halfspace", env=path).strip(), version)
+        flags = run("pkg-config", "--cflags", "--libs", "halfspace", env=path).split()
+        self.assertNotIn("-lassimp", flags)
+        static = run("pkg-config", "--cflags", "--libs", "--static", "halfspace", env=path).split()
+        static[static.index("-lhalfspace")] = "-l:libhalfspace.a"
+        for name, options in (("shared", flags), ("static", static)):
+            program = self.top / f"pkg_{name}"
+            run("cc", "-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror",
+                SOURCE / "tests/consumer/consumer.c", "-o", program, *options, env=path)
+            self.assertEqual(run(program, *ARGUMENTS, env=path).strip(), self.crc, name)
+
+    @unittest.skipUnless(PYTHON, "built without HALFSPACE_PYTHON")
+    def test_python_gives_the_bunny(self):
+        module = next(self.prefix.glob("**/halfspace*.so"), None)
+        module = next(p for p in self.prefix.rglob("halfspace.*.so") if "cpython" in p.name)
+        path = {**os.environ, "PYTHONPATH": str(module.parent)}
+        out = run(PYTHON, SOURCE / "tests/consumer/consumer.py", *ARGUMENTS, env=path)
+        self.assertEqual(out.strip(), self.crc)
+
+    def test_shared_library_shows_its_interface_alone(self):
+        names = run("nm", "-D", "--defined-only", self.libdir / "libhalfspace.so").split("\n")
+        shown = {line.split()[-1].split("@")[0] for line in names if line}
+        header = (self.prefix / "include/halfspace.h").read_text()
+        declared = set(re.findall(r"\b(hs_\w+)\(", re.sub(r"/\*.*?\*/", "", header, flags=re.S)))
+        version = re.search(r"HALFSPACE_API_VERSION (\d+)", header).group(1)
+        self.assertEqual(shown, declared | {f"HALFSPACE_{version}"})
+        soname = run("readelf", "-d", self.libdir / "libhalfspace.so")
+        self.assertIn(f"libhalfspace.so.{version}]", soname)
+
+    def test_nothing_installed_names_the_tree_it_came_from(self):
+        for path in self.prefix.rglob("*"):
+            if path.is_file():
+                data = path.read_bytes()
+                self.assertNotIn(str(SOURCE).encode() + b"/", data, path)
+                self.assertNotIn(str(BUILD).encode() + b"/", data, path)
+
+    def test_component_that_is_missing_is_said(self):
+        project = self.top / "missing"
+        project.mkdir()
+        (project / "CMakeLists.txt").write_text(
+            "cmake_minimum_required(VERSION 3.25)\nproject(missing LANGUAGES CXX)\n"
+            "find_package(halfspace REQUIRED COMPONENTS cmodel teapot)\n")
+        done = subprocess.run([CMAKE, "-S", project, "-B", project / "build",
+                               f"-DCMAKE_PREFIX_PATH={self.prefix}"],
+                              capture_output=True, text=True, timeout=60, check=False)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("teapot", done.stderr)
+
+    # --- Pages made from --help -------------------------------------------------------------------
+
+    def test_manual_page_is_clean_and_names_every_option(self):
+        page = self.prefix / "share/man/man1/halfspace.1"
+        done = subprocess.run(["groff", "-man", "-ww", "-b", "-Tutf8", "-P-cbou", page],
+                              capture_output=True, text=True, timeout=60, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        shown = " ".join(done.stdout.replace("\u2010", "-").split())
+        program = self.prefix / "bin/halfspace"
+        count = 0
+        for words, text in self.helps(program):
+            self.assertIn(" ".join(words), shown)
+            for option in re.findall(r"^  (?:-\w,)?(--[a-z-]+)", text, re.M):
+                self.assertIn(option, shown, words)
+                count += 1
+        self.assertGreater(count, 20)
+
+    def helps(self, program, words=()):
+        text = run(program, *words, "--help")
+        yield words, text
+        below = re.search(r"^Subcommands:\n((?:  .*\n)+)", text, re.M)
+        for name in re.findall(r"^  (\S+)", below.group(1) if below else "", re.M):
+            yield from self.helps(program, (*words, name))
+
+    def complete(self, *words):
+        script = self.prefix / "share/bash-completion/completions/halfspace"
+        text = (f"source {script}; COMP_WORDS=({' '.join(repr(w) for w in words)}); "
+                "COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _halfspace; echo ${COMPREPLY[@]}")
+        return run("bash", "--norc", "-u", "-e", "-c", text).split()
+
+    def test_completion_offers_what_help_lists(self):
+        program = self.prefix / "bin/halfspace"
+        pages = dict(self.helps(program))
+        for words, text in pages.items():
+            options = set(re.findall(r"(--?[a-z][a-z-]*)(?=[ ,\n])",
+                                     "\n".join(re.findall(r"^  (-\S+ )", text, re.M))))
+            self.assertEqual(set(self.complete("halfspace", *words, "-")), options, words)
+        self.assertIn("render", self.complete("halfspace", ""))
+        self.assertEqual(self.complete("halfspace", "rend"), ["render"])
+        self.assertEqual(self.complete("/usr/bin/halfspace", "render", "--cull", "b"), ["back"])
+        self.assertEqual(self.complete("halfspace", "render", "x", "--config", ""),
+                         ["tiny", "full", "d3d", "msaa4"])
+        self.assertEqual(self.complete("halfspace", "render", "--out", ""), [], "file names")
+
+
+if __name__ == "__main__":
+    unittest.main()
