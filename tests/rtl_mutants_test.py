@@ -24,7 +24,8 @@ from rtl_sources import RTL, TOP, listed
 
 LIBRARIES = os.environ["MUTANT_LIBRARIES"].split(",")
 CXX = [*(["ccache"] if shutil.which("ccache") else []), os.environ.get("CXX", "g++"), "-std=c++20"]
-INCLUDE = [f"-I{ROOT / 'cmodel'}", f"-I{ROOT / 'testbench'}", f"-I{ROOT / 'testbench/rtl'}"]
+INCLUDE = [f"-I{ROOT / folder}"
+           for folder in ("cmodel", "cmodel/vectors", "testbench", "testbench/rtl")]
 
 # What goes wrong, the file, the text and what replaces it. A text occurs exactly once.
 MUTANTS = [

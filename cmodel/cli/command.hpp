@@ -63,5 +63,6 @@ Action add_cosim_command(CLI::App& program);
 Action add_chart_command(CLI::App& program);
 Action add_explain_command(CLI::App& program);
 Action add_bench_command(CLI::App& program);
+Action add_vectors_command(CLI::App& program);
 
 }  // namespace halfspace

@@ -13,6 +13,7 @@
 #include "../io/png_file.hpp"
 #include "../io/tcov.hpp"
 #include "../io/trace.hpp"
+#include "camera_command.hpp"
 #include "command.hpp"
 #include "level_run.hpp"
 #include "pictures.hpp"

@@ -4,27 +4,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <sstream>
 
 #include "../io/error.hpp"
 
 namespace halfspace {
-namespace {
-
-glm::dvec3 parse_vector(const std::string& text, const char* option) {
-  glm::dvec3 value{0.0};
-  std::istringstream stream(text);
-  char comma1 = 0;
-  char comma2 = 0;
-  stream >> value.x >> comma1 >> value.y >> comma2 >> value.z;
-  if (stream.fail() || comma1 != ',' || comma2 != ',' || !(stream >> std::ws).eof()) {
-    throw Error(ErrorCode::kUsage, option,
-                fmt::format("'{:.40}' is not three numbers X,Y,Z", text));
-  }
-  return value;
-}
-
-}  // namespace
 
 void SceneOptions::add_to(CLI::App& command, const std::string& name) {
   command.add_option(name, path, "Mesh (OBJ, glTF, GLB, PLY, STL) or TCOV file")
@@ -32,39 +15,12 @@ void SceneOptions::add_to(CLI::App& command, const std::string& name) {
   command
       .add_option("--size", size, "Frame size in pixels (default 640x480; a TCOV file has its own)")
       ->type_name("WxH");
-  command.add_option("--eye", eye, "Camera position, world units")->type_name("X,Y,Z");
-  command.add_option("--target", target, "Point looked at, world units")->type_name("X,Y,Z");
-  command.add_option("--up", up, "Direction that is up in the picture")->type_name("X,Y,Z");
-  command.add_option("--fov", fov, "Vertical field of view, degrees (default 40)");
-  command.add_option("--ortho", ortho,
-                     "Orthographic camera; picture height in world units, 0 to fit");
+  camera.add_to(command);
   command.add_option("--case", case_id, "The case of a TCOV file");
 }
 
-CameraOptions SceneOptions::camera() const {
-  CameraOptions camera;
-  if (!eye.empty()) camera.eye = parse_vector(eye, "--eye");
-  if (!target.empty()) camera.target = parse_vector(target, "--target");
-  if (!up.empty()) camera.up = parse_vector(up, "--up");
-  if (fov != 0) {
-    if (!(fov > 0 && fov < 180)) {
-      throw Error(ErrorCode::kUsage, "--fov",
-                  fmt::format("{} is out of range (above 0, below 180 degrees)", fov));
-    }
-    camera.fov_y_degrees = fov;
-  }
-  if (ortho != -1) {
-    if (!(ortho >= 0 && ortho < 1e30)) {
-      throw Error(ErrorCode::kUsage, "--ortho", "the height must be positive, or 0 to fit");
-    }
-    camera.orthographic = true;
-    if (ortho > 0) camera.ortho_height = ortho;
-  }
-  return camera;
-}
-
 std::unique_ptr<Scene> SceneOptions::open(const Config& config, Lighting lighting) const {
-  return open_scene(path, case_id, frame_size(size, config), camera(), lighting);
+  return open_scene(path, case_id, frame_size(size, config), camera.options(), lighting);
 }
 
 std::unique_ptr<Scene> SceneOptions::open_one(const Config& config, Lighting lighting) const {

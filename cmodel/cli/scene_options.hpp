@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "../camera.hpp"
 #include "../depth_test.hpp"
+#include "camera_options.hpp"
 #include "scene.hpp"
 
 namespace CLI {
@@ -19,16 +19,12 @@ namespace halfspace {
 struct SceneOptions {
   std::string path;
   std::string size;  // empty: 640x480, less where the configuration is smaller
-  std::string eye, target, up;
-  double fov = 0;
-  double ortho = -1;
+  CameraArguments camera;
   int case_id = -1;
 
   // The scene, required when it is an argument ("SCENE") and not an option ("--scene"); --size,
   // --eye, --target, --up, --fov, --ortho, --case.
   void add_to(CLI::App& command, const std::string& name = "SCENE");
-  // Throws Error(kUsage).
-  CameraOptions camera() const;
   // Throws what frame_size() and open_scene() throw.
   std::unique_ptr<Scene> open(const Config& config, Lighting lighting) const;
   // The same for a command that looks at one frame. Throws Error(kUsage) when a TCOV file has

@@ -41,6 +41,11 @@ enum class ErrorCode : int {
   kDrawing = 83,        // a chart cannot be drawn here
   kChart = 84,          // unknown chart, or one that cannot be measured on this
   kNoLab = 85,          // this build has no lab
+  kVectorRequest = 90,  // the options ask for vectors that cannot be made
+  kVectorsBroken = 91,  // a vectors file or manifest is damaged
+  kVectorInput = 92,    // a vectors file holds an input that the stage must not get
+  kVectorsEmpty = 93,   // nothing to compare
+  kVectorsSize = 95,    // too many records or clocks for the formats
   kInternal = 99,       // a check failed: a bug in Halfspace
 };
 

@@ -74,6 +74,12 @@ int total_bits(const Layout& layout) {
   return bits;
 }
 
+void add_stored(Layout& layout, const Config& config) {
+  for (int lane = 0; lane < config.lanes(); ++lane) {
+    layout.push_back({fmt::format("stored{}", lane), config.depth_bits, false});
+  }
+}
+
 }  // namespace
 
 Layout triangle_layout(const Config& config) {
@@ -120,6 +126,69 @@ Layout frame_layout(const Config& config) {
   return {{"width", config.viewport_bits + 1, false},
           {"height", config.viewport_bits + 1, false},
           {"cull", 2, false}};
+}
+
+Layout grid_in_layout(const Config& config) {
+  return {{"base", config.lane_bits(), true},
+          {"a", config.delta_bits(), true},
+          {"b", config.delta_bits(), true}};
+}
+
+Layout grid_out_layout(const Config& config) {
+  return {{"ab", config.delta_bits() + 1, true}, {"covered", config.lanes(), false}};
+}
+
+Layout interpolation_in_layout(const Config& config) {
+  Layout layout;
+  add_slopes(layout, config);
+  layout.push_back({"flipped", 1, false});
+  layout.push_back({"vertex0.x", config.vertex_bits(), true});
+  layout.push_back({"vertex0.y", config.vertex_bits(), true});
+  for (int i = 0; i < 3; ++i) {
+    layout.push_back({fmt::format("depth{}", i), config.depth_bits + kDepthFractionBits, false});
+    layout.push_back({fmt::format("inverse_w{}", i), config.inverse_w_bits, false});
+    for (int n = 0; n < config.attributes; ++n) {
+      layout.push_back({fmt::format("value{}.{}", i, n), 8 + kAttributeFractionBits, false});
+    }
+  }
+  layout.push_back({"x", config.viewport_bits, false});
+  layout.push_back({"y", config.viewport_bits, false});
+  layout.push_back({"sample", 4, false});
+  layout.push_back({"lane", 2 * config.grid_log2, false});
+  return layout;
+}
+
+Layout interpolation_out_layout(const Config& config) {
+  Layout layout;
+  const auto add_plane = [&layout](const std::string& name) {
+    for (const char* part : {"base", "dx", "dy", "sample"}) {
+      layout.push_back({name + "." + part, 32, true});
+    }
+  };
+  add_plane("depth");
+  if (config.attributes > 0) add_plane("inverse_w");
+  for (int n = 0; n < config.attributes; ++n) add_plane(fmt::format("attribute{}", n));
+  layout.push_back({"depth", config.depth_bits, false});
+  for (int n = 0; n < config.attributes; ++n) {
+    layout.push_back({fmt::format("attribute{}", n), 8, false});
+  }
+  return layout;
+}
+
+Layout depth_in_layout(const Config& config) {
+  Layout layout{{"covered", config.lanes(), false},
+                {"plane.base", 32, true},
+                {"plane.dx", 32, true},
+                {"plane.dy", 32, true},
+                {"function", 2, false}};
+  add_stored(layout, config);
+  return layout;
+}
+
+Layout depth_out_layout(const Config& config) {
+  Layout layout{{"passed", config.lanes(), false}};
+  add_stored(layout, config);
+  return layout;
 }
 
 Values values_of(const Triangle& triangle, const Config& config) {

@@ -27,6 +27,15 @@ Layout setup_layout(const Config& config);      // with the corners that only th
 Layout traversal_layout(const Config& config);  // a node and what it needs of its triangle
 Layout coverage_layout(const Config& config);
 Layout frame_layout(const Config& config);
+Layout grid_in_layout(const Config& config);   // base_i, slope_i
+Layout grid_out_layout(const Config& config);  // ab_o, covered_o
+
+// Stages without a twin. Interpolation: one sample of one lane of one tile, and the planes on the
+// way to it. Depth: one sample plane of one tile.
+Layout interpolation_in_layout(const Config& config);
+Layout interpolation_out_layout(const Config& config);
+Layout depth_in_layout(const Config& config);
+Layout depth_out_layout(const Config& config);
 
 Values values_of(const Triangle& triangle, const Config& config);
 Values values_of(const SetupTriangle& setup, const Config& config);

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// halfspace vectors, in parts: options (vectors_command), making (vectors_make), checking
+// (vectors_check).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "../vectors/vector_set.hpp"
+#include "camera_options.hpp"
+#include "command.hpp"
+
+namespace halfspace {
+
+struct VectorsRequest {
+  std::string in;                // mesh or TCOV file
+  std::string generate;          // shapes, or empty
+  std::string goal;              // per cent, or empty
+  std::vector<std::string> out;  // files
+  std::string bench;             // folder
+  std::string format;
+  std::string manifest;
+  std::string check;
+  std::string bins_of;
+  std::string stage = "rasterizer";
+  std::string size;
+  std::string cull = "none";
+  int node_level = 0;
+  std::uint64_t count = 0;  // triangles; 0: all of a scene, 1000 of a generator
+  std::uint64_t seed = 1;
+  double stall = 0;
+  int max_tiles = 256;
+  int case_id = -1;
+  bool list_bins = false;
+  CameraArguments camera;
+  ConfigOptions config;
+};
+
+// A set of vectors from a file or a generator. Throws Error.
+VectorSet make_vectors(const VectorsRequest& request, const VectorMeta& meta);
+
+// Reads a file or manifest, builds every set again and compares. Exit status.
+int check_vector_files(const std::string& path);
+
+}  // namespace halfspace
