@@ -21,6 +21,14 @@ double length_or(double value, double fallback) { return value > 0.0 ? value : f
 
 }  // namespace
 
+Camera orbited(const Camera& camera, double turn) {
+  const glm::dmat4 around =
+      glm::rotate(glm::dmat4(1.0), glm::radians(360.0 * turn), glm::normalize(camera.up));
+  Camera moved = camera;
+  moved.eye = camera.target + glm::dvec3(around * glm::dvec4(camera.eye - camera.target, 0.0));
+  return moved;
+}
+
 glm::dmat4 look_at(const Camera& camera) {
   const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
   const double up_length = glm::length(camera.up);

@@ -40,6 +40,10 @@ struct CameraOptions {
   std::optional<double> ortho_height;
 };
 
+// The camera moved around its target, about the axis `up`, by `turn` of a full circle, counter-
+// clockwise as seen from above.
+Camera orbited(const Camera& camera, double turn);
+
 // World to camera space. The camera must not be at its target; an `up` along the view direction is
 // replaced by the axis that is furthest from it.
 glm::dmat4 look_at(const Camera& camera);

@@ -160,8 +160,9 @@ bool GeometryStage::beyond_sides(const ClipPolygon& polygon) const {
 
 GeometryStage::Projected GeometryStage::project(const ClipVertex& vertex) const {
   const glm::dvec4& p = vertex.position;
-  const std::int64_t x = snap((p.x / p.w + 1.0) * half_width_, config_);
-  const std::int64_t y = snap((1.0 - p.y / p.w) * half_height_, config_);
+  const glm::dvec2 window = window_position(p, half_width_, half_height_);
+  const std::int64_t x = snap(window.x, config_);
+  const std::int64_t y = snap(window.y, config_);
   // Clipping leaves an excess of some units in the last place of a double, which rounding to
   // subpixels removes: nothing is saturated.
   HS_CHECK(x >= config_.coordinate_min() && x <= config_.coordinate_max());

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <span>
 #include <vector>
@@ -59,6 +60,11 @@ inline constexpr double kMinW = 1e-100;
 // px in subpixels, rounded as config.snap says; halves are exact ties. px must not be NaN; beyond
 // +-2^40 px the result is that of +-2^40 px, so it never overflows. The caller checks the range.
 std::int64_t snap(double px, const Config& config);
+
+// Where a position with w > 0 is in the frame, px: x right, y down. What is snapped.
+inline glm::dvec2 window_position(const glm::dvec4& p, double half_width, double half_height) {
+  return {(p.x / p.w + 1.0) * half_width, (1.0 - p.y / p.w) * half_height};
+}
 
 struct GeometryStats {
   std::uint64_t triangles_in = 0;

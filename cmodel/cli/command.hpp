@@ -9,6 +9,7 @@
 
 #include "../config.hpp"
 #include "../packets.hpp"
+#include "camera_options.hpp"
 
 namespace CLI {
 class App;
@@ -48,6 +49,8 @@ struct CosimRequest {
   double stall = 0;
   std::uint64_t seed = 1;
   int case_id = -1;
+  int views = 1;
+  CameraArguments camera;
   ConfigOptions config;
 };
 // Exit status: 0 identical, 1 not (a line on stderr says where, and how to replay it). Throws
@@ -64,5 +67,6 @@ Action add_chart_command(CLI::App& program);
 Action add_explain_command(CLI::App& program);
 Action add_bench_command(CLI::App& program);
 Action add_vectors_command(CLI::App& program);
+Action add_fit_command(CLI::App& program);
 
 }  // namespace halfspace

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "../fit/area_model.hpp"
 #include "../io/config_json.hpp"
 #include "command.hpp"
 
@@ -18,6 +20,7 @@ nlohmann::ordered_json derived_json(const Config& c) {
   json["vertex_bits"] = c.vertex_bits();
   json["delta_bits"] = c.delta_bits();
   json["area_bits"] = c.area_bits();
+  json["constant_bits"] = c.constant_bits();
   json["edge_full_bits"] = c.edge_full_bits();
   json["edge_bits"] = c.edge_bits();
   json["lane_bits"] = c.lane_bits();
@@ -28,6 +31,23 @@ nlohmann::ordered_json derived_json(const Config& c) {
   return json;
 }
 
+nlohmann::ordered_json area_json(const Config& config) {
+  const AreaFeatures f = area_features(config);
+  const AreaEstimate area = area_estimate(config);
+  nlohmann::ordered_json json;
+  json["luts"] = std::llround(area.luts());
+  json["lut4"] = std::llround(area.lut4);
+  json["ccu2c"] = std::llround(area.ccu2c);
+  json["ff"] = std::llround(area.flip_flops);
+  json["mult18"] = std::llround(area.multipliers);
+  json["luts_error_percent"] = kAreaErrorPercent;
+  json["ff_error_percent"] = kFlipFlopErrorPercent;
+  json["features"] = {{"pyramid_adders", f.pyramid_adders}, {"setup_adders", f.setup_adders},
+                      {"multiplexer", f.multiplexer},       {"lanes", f.lanes},
+                      {"pyramid_state", f.pyramid_state},   {"setup_state", f.setup_state}};
+  return json;
+}
+
 }  // namespace
 
 Action add_config_command(CLI::App& program) {
@@ -35,12 +55,17 @@ Action add_config_command(CLI::App& program) {
       "config", "Print a configuration as JSON, or with --derived the widths that follow from it");
   auto options = std::make_shared<ConfigOptions>();
   auto derived = std::make_shared<bool>(false);
+  auto area = std::make_shared<bool>(false);
   options->add_to(*command);
   command->add_flag("--derived", *derived, "Print derived widths (bits) instead");
+  command->add_flag("--area", *area, "Print the estimated area (ECP5 cells) instead");
   command->footer("Example: halfspace config --config d3d --derived");
-  return [options, derived] {
+  return [options, derived, area] {
     const Config config = options->load();
-    fmt::print("{}\n", (*derived ? derived_json(config) : config_json(config)).dump(2));
+    fmt::print("{}\n", (*area      ? area_json(config)
+                        : *derived ? derived_json(config)
+                                   : config_json(config))
+                           .dump(2));
     return 0;
   };
 }

@@ -22,6 +22,10 @@ Action add_cosim_command(CLI::App& program) {
   command->add_option("--stats", o->stats, "JSON statistics to write");
   command->add_option("--trace", o->trace, "FST waves of the RTL to write");
   add_cull_option(*command, o->cull);
+  o->camera.add_to(*command);
+  command->add_option("--orbit", o->views, "Views: this many cameras around the target, in turn")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str();
   command->add_option("--case", o->case_id, "The case of a TCOV file to run (default: all)");
   command->footer(
       "Exit status: 0 identical, 1 different (one line says where), 2 bad input.\n"

@@ -141,6 +141,8 @@ std::string replay_command(const CosimRequest& request, const Scene& scene, std:
   if (request.config.samples != 0) command += fmt::format(" --samples {}", request.config.samples);
   if (!request.size.empty()) command += " --size " + request.size;
   if (request.cull != "none") command += " --cull " + request.cull;
+  command += request.camera.text();
+  if (request.views != 1) command += fmt::format(" --orbit {}", request.views);
   const int id = scene.case_id(index);
   if (id >= 0) command += fmt::format(" --case {}", id);
   return command + " --trace waves.fst";
@@ -202,8 +204,9 @@ int run_cosim(const CosimRequest& request) {
   const Config config = request.config.load();
   require_rtl(config, "--config");
   if (!request.stats.empty()) check_writable(request.stats);
-  const std::unique_ptr<Scene> scene = open_scene(
-      request.in, request.case_id, frame_size(request.size, config), {}, Lighting::kGouraud);
+  const std::unique_ptr<Scene> scene =
+      open_scene(request.in, request.case_id, frame_size(request.size, config),
+                 request.camera.options(), Lighting::kGouraud, request.views);
   check_trace(request.trace, scene->frames());
   const std::unique_ptr<RtlRasterizer> rtl = make_rtl_rasterizer(config);
 

@@ -54,14 +54,23 @@ class VertexCache {
 class MeshScene : public Scene {
  public:
   MeshScene(const std::string& path, int width, int height, const CameraOptions& camera,
-            Lighting lighting)
+            Lighting lighting, int views)
       : path_(path),
         mesh_(load_mesh(path)),
         frame_{width, height, Cull::kNone},
-        lighting_(lighting),
-        shader_(mesh_, static_cast<double>(width) / static_cast<double>(height), camera) {}
+        lighting_(lighting) {
+    const double aspect = static_cast<double>(width) / static_cast<double>(height);
+    shader_.emplace_back(mesh_, aspect, camera);
+    const Camera first = frame_camera(mesh_.bounds, aspect, camera);
+    for (int i = 1; i < views; ++i) {  // near and far are found anew for each
+      CameraOptions around = camera;
+      around.eye = orbited(first, static_cast<double>(i) / views).eye;
+      around.target = first.target;
+      shader_.emplace_back(mesh_, aspect, around);
+    }
+  }
 
-  std::size_t frames() const override { return 1; }
+  std::size_t frames() const override { return shader_.size(); }
   std::uint64_t triangles(std::size_t) const override { return mesh_.triangles.size(); }
   int case_id(std::size_t) const override { return -1; }
 
@@ -70,21 +79,16 @@ class MeshScene : public Scene {
     return frame_;
   }
 
-  void draw(std::size_t, const FrameState& frame, const Config& config, RunStats& stats,
+  void draw(std::size_t frame_index, const FrameState& frame, const Config& config, RunStats& stats,
             const TriangleSink& sink) const override {
     const Clock::time_point start = Clock::now();
-    VertexCache vertices(shader_);
+    VertexCache vertices(shader_[frame_index]);
     GeometryStage stage(frame, config);
     std::vector<ShadedTriangle> out;
     Progress progress("drawing triangles", mesh_.triangles.size());
     std::uint32_t tag = 0;
     for (const auto& index : mesh_.triangles) {
-      std::array<ClipVertex, 3> triangle{vertices.vertex(index[0]), vertices.vertex(index[1]),
-                                         vertices.vertex(index[2])};
-      if (lighting_ == Lighting::kFlat) {
-        const auto color = shader_.flat_color(index);
-        for (ClipVertex& vertex : triangle) vertex.attribute = color;
-      }
+      const std::array<ClipVertex, 3> triangle = corners(index, frame_index, vertices);
       out.clear();
       stage.process(triangle, tag, out);
       if (config.extent_bits != 0 && stage.stats().beyond_sides != 0) {
@@ -101,12 +105,31 @@ class MeshScene : public Scene {
     stats.simulate_seconds += seconds_since(start);
   }
 
+  void real(std::size_t index, const RealSink& sink) const override {
+    VertexCache vertices(shader_[index]);
+    std::uint64_t number = 0;
+    for (const auto& triangle : mesh_.triangles) {
+      real_triangles(corners(triangle, index, vertices), number++, frame_, sink);
+    }
+  }
+
  private:
+  std::array<ClipVertex, 3> corners(const std::array<std::uint32_t, 3>& index,
+                                    std::size_t frame_index, VertexCache& vertices) const {
+    std::array<ClipVertex, 3> triangle{vertices.vertex(index[0]), vertices.vertex(index[1]),
+                                       vertices.vertex(index[2])};
+    if (lighting_ == Lighting::kFlat) {
+      const auto color = shader_[frame_index].flat_color(index);
+      for (ClipVertex& vertex : triangle) vertex.attribute = color;
+    }
+    return triangle;
+  }
+
   std::string path_;
   Mesh mesh_;
   FrameState frame_;
   Lighting lighting_;
-  VertexShader shader_;
+  std::vector<VertexShader> shader_;  // one for each frame
 };
 
 // A colour per triangle, spread around the hue circle by the golden angle.
@@ -160,6 +183,20 @@ class TcovScene : public Scene {
     stats.simulate_seconds += seconds_since(start);
   }
 
+  void real(std::size_t index, const RealSink& sink) const override {
+    std::uint64_t number = 0;
+    for (const auto& source : cases_[index].triangles) {
+      RealTriangle triangle;
+      triangle.index = number++;
+      for (std::size_t i = 0; i < 3; ++i) {
+        triangle.vertex[i].x = std::ldexp(static_cast<double>(source[2 * i]), -kTcovFractionBits);
+        triangle.vertex[i].y =
+            std::ldexp(static_cast<double>(source[2 * i + 1]), -kTcovFractionBits);
+      }
+      sink(triangle);
+    }
+  }
+
  private:
   std::string path_;
   std::vector<TcovCase> cases_;
@@ -168,8 +205,8 @@ class TcovScene : public Scene {
 }  // namespace
 
 std::unique_ptr<Scene> make_mesh_scene(const std::string& path, int width, int height,
-                                       const CameraOptions& camera, Lighting lighting) {
-  return std::make_unique<MeshScene>(path, width, height, camera, lighting);
+                                       const CameraOptions& camera, Lighting lighting, int views) {
+  return std::make_unique<MeshScene>(path, width, height, camera, lighting, views);
 }
 
 std::unique_ptr<Scene> make_tcov_scene(const std::string& path, int case_id) {
@@ -202,11 +239,11 @@ FrameSize frame_size(const std::string& text, const Config& config) {
 }
 
 std::unique_ptr<Scene> open_scene(const std::string& path, int case_id, const FrameSize& size,
-                                  const CameraOptions& camera, Lighting lighting) {
+                                  const CameraOptions& camera, Lighting lighting, int views) {
   std::string extension = std::filesystem::path(path).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (extension == ".tcov") return make_tcov_scene(path, case_id);
-  return make_mesh_scene(path, size.width, size.height, camera, lighting);
+  return make_mesh_scene(path, size.width, size.height, camera, lighting, views);
 }
 
 void require_size(int width, int height, const Config& config, const std::string& place) {

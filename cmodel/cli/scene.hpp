@@ -12,6 +12,7 @@
 #include "../camera.hpp"
 #include "../geometry.hpp"
 #include "../io/stats_json.hpp"
+#include "real_triangles.hpp"
 #include "vertex_shader.hpp"
 
 namespace halfspace {
@@ -29,15 +30,23 @@ class Scene {
   virtual std::uint64_t triangles(std::size_t index) const = 0;
   // The TCOV case's id; -1 for a mesh.
   virtual int case_id(std::size_t index) const = 0;
-  // Sends every triangle of a frame, in order; adds to stats.geometry and stats.resnapped. Each
-  // call of `sink` is counted in stats.simulate_seconds with the geometry stage.
+  // Sends every triangle of a frame, in order. Throws Error(kFitRange) at the first that is outside
+  // the range of a fitted configuration (extent_bits not 0), with its index. Adds to stats.geometry
+  // and stats.resnapped. Each call of `sink` is counted in stats.simulate_seconds with the geometry
+  // stage.
   virtual void draw(std::size_t index, const FrameState& frame, const Config& config,
                     RunStats& stats, const TriangleSink& sink) const = 0;
+  // The same triangles before they are snapped, in the same order; a TCOV case's are as in the
+  // file.
+  virtual void real(std::size_t index, const RealSink& sink) const = 0;
 };
 
-// A mesh file (OBJ, glTF, GLB, PLY, STL). width x height in pixels. Throws what load_mesh() throws.
+// A mesh file (OBJ, glTF, GLB, PLY, STL). width x height in pixels. One frame for each of `views`
+// cameras, the first as `camera` says, the others around its target. Throws what load_mesh()
+// throws.
 std::unique_ptr<Scene> make_mesh_scene(const std::string& path, int width, int height,
-                                       const CameraOptions& camera, Lighting lighting);
+                                       const CameraOptions& camera, Lighting lighting,
+                                       int views = 1);
 
 // The cases of a TCOV file, or the one with that id (case_id >= 0). Triangles have one colour each
 // and equal depth. Throws what read_tcov() throws, and Error(kScene) for an unknown id.
@@ -61,6 +70,6 @@ void require_size(int width, int height, const Config& config, const std::string
 
 // A TCOV file's cases when the name ends in .tcov (size and camera are not used), else a mesh.
 std::unique_ptr<Scene> open_scene(const std::string& path, int case_id, const FrameSize& size,
-                                  const CameraOptions& camera, Lighting lighting);
+                                  const CameraOptions& camera, Lighting lighting, int views = 1);
 
 }  // namespace halfspace

@@ -16,7 +16,6 @@
 namespace halfspace {
 namespace {
 
-constexpr int kTcovFractionBits = 8;
 // Coordinates are limited so that no later arithmetic can overflow: 2^20 px.
 constexpr std::int64_t kTcovCoordinateMax = std::int64_t{1} << 28;
 

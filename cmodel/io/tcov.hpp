@@ -24,6 +24,8 @@ struct TcovCase {
   std::uint64_t sum = 0;                               // sum of `hits`, as stored
 };
 
+inline constexpr int kTcovFractionBits = 8;  // of a file's coordinates
+
 // Frames up to this side are read; larger ones are taken for damage.
 inline constexpr int kTcovMaxSize = 1 << 15;
 

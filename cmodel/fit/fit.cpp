@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "../hit_count.hpp"
+#include "../io/error.hpp"
+#include "../rasterizer.hpp"
+
+namespace halfspace {
+namespace {
+
+int choose_subpixels(const CoverageCurve& curve, double limit) {
+  double least = 1e9;
+  for (std::size_t s = 0; s < curve.error.size(); ++s) {
+    if (curve.error[s].ppm() <= limit) return static_cast<int>(s);
+    least = std::min(least, curve.error[s].ppm());
+  }
+  throw Error(ErrorCode::kFitLimit, "--max-error",
+              fmt::format("{} ppm is below the {:.0f} ppm that the best of 0..12 subpixel bits "
+                          "leaves",
+                          limit, least));
+}
+
+// The fewest bits that keep the limit; all there are when none does.
+int fewest(const std::vector<AccuracyPoint>& curve, double limit) {
+  for (const AccuracyPoint& point : curve) {
+    if (point.error <= limit) return point.bits;
+  }
+  return curve.back().bits;
+}
+
+// Bits of interpolation: each the fewest by itself, then more of all until they do together.
+void choose_attributes(const std::vector<FitView>& views, double limit, std::uint64_t budget,
+                       FitResult& result) {
+  const AttributeCurves& curves = *result.attributes;
+  Config& config = result.config;
+  config.inverse_w_bits = fewest(curves.inverse_w, limit);
+  config.gradient_bits = fewest(curves.gradient, limit);
+  config.reciprocal_bits = fewest(curves.reciprocal, limit);
+  for (;;) {
+    result.attribute_error = attribute_error(views, config, budget);
+    if (result.attribute_error <= limit) return;
+    const Config before = config;
+    config.inverse_w_bits = std::min(config.inverse_w_bits + 1, curves.inverse_w.back().bits);
+    config.gradient_bits = std::min(config.gradient_bits + 1, curves.gradient.back().bits);
+    config.reciprocal_bits = std::min(config.reciprocal_bits + 1, curves.reciprocal.back().bits);
+    if (config == before) {
+      throw Error(ErrorCode::kFitLimit, "--max-attribute-error",
+                  fmt::format("{} levels is below the {:.3f} that all bits leave", limit,
+                              result.attribute_error));
+    }
+  }
+}
+
+std::size_t choose_shape(const std::vector<FitShape>& shapes) {
+  const auto meets = [](const FitShape& shape) { return shape.meets; };
+  const auto found = std::find_if(shapes.begin(), shapes.end(), meets);
+  if (found != shapes.end()) return static_cast<std::size_t>(found - shapes.begin());
+  const auto& best = *std::min_element(
+      shapes.begin(), shapes.end(),
+      [](const FitShape& a, const FitShape& b) { return a.worst_clocks < b.worst_clocks; });
+  throw Error(ErrorCode::kFitLimit, "--target",
+              fmt::format("the fastest shape makes {:.2f} px/clk, and {} clocks for the slowest "
+                          "view",
+                          best.pixels_per_clock(), best.worst_clocks));
+}
+
+// Draws every view with the result and with the reference; counts what differs.
+void compare_with_reference(const std::vector<FitView>& views, FitResult& result) {
+  for (const FitView& view : views) {
+    const auto hits_of = [&view](const Config& config, RasterStats& stats) {
+      HitCount hits(view.frame.width, view.frame.height);
+      RunStats unused;
+      view.scene->draw(view.index, view.frame, config, unused, [&](const ShadedTriangle& shaded) {
+        rasterize(shaded.triangle, view.frame, config, stats,
+                  [&](const CoverageTile& tile) { hits.add(tile, config); });
+      });
+      return hits.count();
+    };
+    RasterStats fitted, reference;
+    const std::vector<std::uint8_t> got = hits_of(result.config, fitted);
+    const std::vector<std::uint8_t> want = hits_of(result.reference, reference);
+    for (std::size_t i = 0; i < got.size(); ++i) {
+      result.samples_different += static_cast<std::uint64_t>(std::abs(got[i] - want[i]));
+    }
+    result.samples_covered += reference.samples_covered;
+    result.triangles_no_sample += fitted.triangles_no_sample;
+    if (fitted.samples_covered != reference.samples_covered) ++result.samples_different;
+  }
+  if (result.samples_different != 0) {
+    throw Error(ErrorCode::kInternal, "fit",
+                fmt::format("the fitted configuration covers {} samples differently",
+                            result.samples_different));
+  }
+}
+
+}  // namespace
+
+double CoverageError::ppm() const {
+  if (covered == 0) return missing + extra == 0 ? 0.0 : 1e6;
+  return 1e6 * static_cast<double>(missing + extra) / static_cast<double>(covered);
+}
+
+FitResult fit(const std::vector<FitView>& views, const FitOptions& options) {
+  FitResult result;
+  result.config = options.base;
+  Config wide = options.base;
+  wide.viewport_bits = fit_ranges(views, options.base).viewport_bits;
+  if (options.max_error || (options.curves && has_fit_oracle())) {
+    result.coverage = coverage_curve(views, wide, options.budget);
+    if (options.max_error) {
+      result.config.subpixel_bits = choose_subpixels(*result.coverage, *options.max_error);
+    }
+  }
+  result.ranges = fit_ranges(views, result.config);
+  result.config = with_ranges(result.config, result.ranges);
+
+  const std::uint64_t fragments = std::max<std::uint64_t>(1, options.budget / 40);
+  if (result.config.attributes > 0 && (options.max_attribute_error || options.curves)) {
+    result.attributes = attribute_curves(views, result.config, fragments);
+    if (options.max_attribute_error) {
+      choose_attributes(views, *options.max_attribute_error, fragments, result);
+    } else {
+      result.attribute_error = attribute_error(views, result.config, fragments);
+    }
+  }
+  result.shapes = fit_shapes(views, result.config, options.target);
+  result.shape = choose_shape(result.shapes);
+  result.config.grid_log2 = result.shapes[result.shape].grid_log2;
+  result.config.setup_interval = result.shapes[result.shape].setup_interval;
+
+  result.reference = kFull;
+  result.reference.subpixel_bits = result.config.subpixel_bits;
+  result.reference.samples = result.config.samples;
+  result.reference.snap = result.config.snap;
+  result.reference.viewport_bits = std::max(kFull.viewport_bits, result.ranges.viewport_bits);
+  result.reference.guard_bits = std::max(kFull.guard_bits, result.ranges.guard_bits);
+  compare_with_reference(views, result);
+  return result;
+}
+
+}  // namespace halfspace
