@@ -132,17 +132,9 @@ class FrameEngine::Work {
     }
   }
 
-  void run(int count, const std::function<void(int)>& body) const {
-    if (options_.threads == 1) {
-      for (int i = 0; i < count; ++i) body(i);
-    } else {
-      options_.run(count, body);
-    }
-  }
-
   void project_all(const VertexSource& source) {
     std::atomic<std::size_t> next = 0;
-    run(options_.threads, [&](int) {
+    options_.run(options_.threads, [&](int) {
       for (;;) {
         const std::size_t first = next.fetch_add(kVertexRange);
         if (first >= source.size()) return;
@@ -182,6 +174,7 @@ class FrameEngine::Work {
     FramePiece& piece = pieces_.front();
     piece.assembly().clear();
     assemble(0, first, count);
+    tell(piece);
     piece.start();
     while (!piece.finished()) {
       piece.cover(constants_, records_, kPieceRecords, 1);
@@ -195,7 +188,7 @@ class FrameEngine::Work {
   void draw_round(std::size_t first, std::size_t count, const Assemble& assemble) {
     const std::size_t used = (count + kPieceTriangles - 1) / kPieceTriangles;
     std::atomic<std::size_t> next = 0;
-    run(options_.threads, [&](int) {
+    options_.run(options_.threads, [&](int) {
       for (std::size_t i = next++; i < used; i = next++) {
         const std::size_t from = i * kPieceTriangles;
         pieces_[i].assembly().clear();
@@ -206,9 +199,15 @@ class FrameEngine::Work {
         if (options_.count_hits) hits_[i].add(pieces_[i].chunk());
       }
     });
-    run(options_.threads, [&](int owner) {
+    for (std::size_t i = 0; i < used; ++i) tell(pieces_[i]);
+    options_.run(options_.threads, [&](int owner) {
       for (std::size_t i = 0; i < used; ++i) draw_tiles(i, owner);
     });
+  }
+
+  void tell(FramePiece& piece) const {
+    const Assembly& assembly = piece.assembly();
+    if (options_.on_triangles) options_.on_triangles({assembly.triangle.data(), assembly.count});
   }
 
   void draw_tiles(std::size_t at, int owner) {

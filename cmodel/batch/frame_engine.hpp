@@ -34,6 +34,9 @@ struct FrameOptions {
   bool count_hits = false;  // also keep hits()
   int threads = 1;          // 1 or more; more than 1 needs `run`
   FrameRunner run;          // how to run the threads; not called for 1
+  // When not empty: called by the thread that draws, with all triangles on their way to setup, in
+  // order, a few thousand at a time.
+  std::function<void(std::span<const Triangle>)> on_triangles;
 };
 
 // An indexed mesh as its owner keeps it.

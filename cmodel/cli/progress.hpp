@@ -16,10 +16,12 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // Call as often as convenient; looks at the clock every 256 calls.
+  // Call as often as convenient; looks at the clock every 256 steps.
   void advance(std::uint64_t done_now = 1) {
     done_ += done_now;
-    if ((++calls_ & 255u) == 0) show();
+    if (done_ < next_look_) return;
+    next_look_ = done_ + 256;
+    show();
   }
   // The same for steps that take long: looks at the clock at each.
   void step() {
@@ -34,7 +36,7 @@ class Progress {
   std::string what_;
   std::uint64_t total_;
   std::uint64_t done_ = 0;
-  std::uint64_t calls_ = 0;
+  std::uint64_t next_look_ = 256;
   bool terminal_;
   bool shown_ = false;
   Clock::time_point start_ = Clock::now();

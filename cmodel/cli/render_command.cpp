@@ -13,7 +13,7 @@
 #include "../io/png_file.hpp"
 #include "../io/tcov.hpp"
 #include "../io/trace.hpp"
-#include "camera_command.hpp"
+#include "bit_frame.hpp"
 #include "command.hpp"
 #include "level_run.hpp"
 #include "pictures.hpp"
@@ -36,6 +36,7 @@ struct RenderOptions {
   std::string cull = "none";
   std::string shade;
   std::string depth_test = "less";
+  int threads = 0;
   ConfigOptions config;
 };
 
@@ -67,7 +68,7 @@ class FrameRun {
     LevelRun run(level, frame_, config_, stats_, {},
                  [&](const CoverageTile& tile) { hits.add(tile, config_); });
     draw(run);
-    return finish(hits, picture_of_hits(hits));
+    return finish(hits.count(), picture_of_hits(hits));
   }
 
   Image tiles() {
@@ -79,11 +80,17 @@ class FrameRun {
           [&](const Node& node, int level, bool covered) { picture.visit(node, level, covered); },
           [&](const CoverageTile& tile) { hits.add(tile, config_); });
     });
-    return finish(hits, picture.image());
+    return finish(hits.count(), picture.image());
   }
 
-  Image full(Level level, DepthFunction depth_function, bool depth_picture) {
-    Rasterizer rasterizer(frame_, config_, depth_function, kBackground);
+  Image bit(const BitFrameOptions& options) {
+    BitFrame drawn = draw_bit_frame(scene_, index_, frame_, config_, options, stats_);
+    return finish(drawn.hits, std::move(drawn.image));
+  }
+
+  // By the stages one after the other.
+  Image full(Level level, const BitFrameOptions& options) {
+    Rasterizer rasterizer(frame_, config_, options.depth_function, options.background);
     LevelRun run(
         level, frame_, config_, stats_,
         [&](const ShadedTriangle& triangle, const SetupTriangle& setup) {
@@ -95,15 +102,15 @@ class FrameRun {
     const Framebuffer& framebuffer = rasterizer.framebuffer();
     stats_.tiles_touched += framebuffer.tiles_touched();
     const std::uint32_t far = (std::uint32_t{1} << config_.depth_bits) - 1;
-    return finish(rasterizer.hit_count(),
-                  depth_picture
+    return finish(rasterizer.hit_count().count(),
+                  options.depth_picture
                       ? picture_of_depth(framebuffer.depth(), frame_.width, frame_.height, far)
                       : framebuffer.resolve());
   }
 
  private:
-  Image finish(const HitCount& hits, Image image) {
-    stats_.crc = crc32_of(hits.count(), stats_.crc);
+  Image finish(const std::vector<std::uint8_t>& hits, Image image) {
+    stats_.crc = crc32_of(hits, stats_.crc);
     ++stats_.cases;
     return image;
   }
@@ -156,7 +163,8 @@ void run_render(const RenderOptions& options) {
   const Level level = parse_level(options.level);
   const Shade shade = parse_shade(options, level);
   const Cull cull = parse_cull(options.cull);
-  const DepthFunction depth_function = parse_depth_test(options.depth_test);
+  const BitFrameOptions bit{parse_depth_test(options.depth_test), kBackground,
+                            shade == Shade::kDepth, !options.stats.empty(), options.threads};
   const Config config = options.config.load();
   require_level(level, config);
   if (!options.trace.empty()) check_trace(options.trace, level);
@@ -176,8 +184,7 @@ void run_render(const RenderOptions& options) {
     switch (shade) {
       case Shade::kCoverage: images.push_back(run.coverage(level)); break;
       case Shade::kTiles: images.push_back(run.tiles()); break;
-      case Shade::kDepth: images.push_back(run.full(level, depth_function, true)); break;
-      default: images.push_back(run.full(level, depth_function, false)); break;
+      default: images.push_back(level == Level::kBit ? run.bit(bit) : run.full(level, bit)); break;
     }
   }
   if (images.empty()) throw Error(ErrorCode::kScene, options.scene.path, "has no cases");
@@ -202,6 +209,11 @@ Action add_render_command(CLI::App& program) {
                       "gouraud, flat, depth, coverage (hits per pixel) or tiles (nodes tested)");
   add_cull_option(*command, o->cull);
   command->add_option("--depth-test", o->depth_test, "less or less_equal")->capture_default_str();
+  command
+      ->add_option("--threads", o->threads,
+                   "Threads of level bit, 0: as many as the machine has; the picture is the same")
+      ->check(CLI::Range(0, 256))
+      ->capture_default_str();
   command->footer(
       "Without --eye the camera frames the scene by itself.\n"
       "Example: halfspace render tests/scenes/teapot.obj --size 640x480 --out out/teapot.png");

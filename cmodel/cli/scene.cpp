@@ -51,6 +51,54 @@ class VertexCache {
   std::vector<Entry> entries_ = std::vector<Entry>(kEntries);
 };
 
+// Some triangles of a mesh with the vertices that they use, each once as a rule: what a frame
+// engine draws at a time, so that memory does not grow with the mesh.
+constexpr std::size_t kPartTriangles = 32768;
+
+class MeshPart {
+ public:
+  explicit MeshPart(const VertexShader& shader) : shader_(shader) {}
+
+  void add(const std::array<std::uint32_t, 3>& triangle) {
+    std::array<std::uint32_t, 3> local{};
+    for (std::size_t i = 0; i < 3; ++i) local[i] = place(triangle[i]);
+    triangles_.push_back(local);
+  }
+
+  void clear() {
+    vertices_.clear();
+    triangles_.clear();
+    ++part_;
+  }
+
+  const std::vector<ClipVertex>& vertices() const { return vertices_; }
+  const std::vector<std::array<std::uint32_t, 3>>& triangles() const { return triangles_; }
+
+ private:
+  static constexpr std::uint32_t kEntries = 1 << 15;
+  struct Entry {
+    std::uint32_t part = 0;  // 0: nothing yet
+    std::uint32_t index = 0;
+    std::uint32_t place = 0;
+  };
+
+  // Where the vertex is in vertices_.
+  std::uint32_t place(std::uint32_t index) {
+    Entry& entry = entries_[index & (kEntries - 1)];
+    if (entry.part != part_ || entry.index != index) {
+      entry = {part_, index, static_cast<std::uint32_t>(vertices_.size())};
+      vertices_.push_back(shader_.vertex(index));
+    }
+    return entry.place;
+  }
+
+  const VertexShader& shader_;
+  std::uint32_t part_ = 1;
+  std::vector<Entry> entries_ = std::vector<Entry>(kEntries);
+  std::vector<ClipVertex> vertices_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+};
+
 class MeshScene : public Scene {
  public:
   MeshScene(const std::string& path, int width, int height, const CameraOptions& camera,
@@ -79,6 +127,7 @@ class MeshScene : public Scene {
     return frame_;
   }
 
+  using Scene::draw;
   void draw(std::size_t frame_index, const FrameState& frame, const Config& config, RunStats& stats,
             const TriangleSink& sink) const override {
     const Clock::time_point start = Clock::now();
@@ -111,6 +160,25 @@ class MeshScene : public Scene {
     for (const auto& triangle : mesh_.triangles) {
       real_triangles(corners(triangle, index, vertices), number++, frame_, sink);
     }
+  }
+
+  void draw(std::size_t index, const FrameState& frame, const Config& config, RunStats& stats,
+            FrameEngine& engine) const override {
+    // A flat triangle shares no vertex, and a fitted range is checked triangle by triangle.
+    if (lighting_ == Lighting::kFlat || config.extent_bits != 0) {
+      return Scene::draw(index, frame, config, stats, engine);
+    }
+    const Clock::time_point start = Clock::now();
+    MeshPart part(shader_[index]);
+    for (const auto& triangle : mesh_.triangles) {
+      part.add(triangle);
+      if (part.triangles().size() < kPartTriangles) continue;
+      engine.draw(part.vertices(), part.triangles());
+      part.clear();
+    }
+    engine.draw(part.vertices(), part.triangles());
+    stats.geometry = engine.geometry();
+    stats.simulate_seconds += seconds_since(start);
   }
 
  private:
@@ -166,6 +234,7 @@ class TcovScene : public Scene {
     return {tcov.width, tcov.height, Cull::kNone};
   }
 
+  using Scene::draw;
   void draw(std::size_t index, const FrameState&, const Config& config, RunStats& stats,
             const TriangleSink& sink) const override {
     const TcovTriangles input = tcov_triangles(cases_[index], config, path_);
@@ -203,6 +272,21 @@ class TcovScene : public Scene {
 };
 
 }  // namespace
+
+void Scene::draw(std::size_t index, const FrameState& frame, const Config& config, RunStats& stats,
+                 FrameEngine& engine) const {
+  constexpr std::size_t kAtOnce = 8192;
+  std::vector<ShadedTriangle> waiting;
+  draw(index, frame, config, stats, [&](const ShadedTriangle& triangle) {
+    waiting.push_back(triangle);
+    if (waiting.size() < kAtOnce) return;
+    engine.draw(waiting);
+    waiting.clear();
+  });
+  const Clock::time_point start = Clock::now();
+  engine.draw(waiting);
+  stats.simulate_seconds += seconds_since(start);
+}
 
 std::unique_ptr<Scene> make_mesh_scene(const std::string& path, int width, int height,
                                        const CameraOptions& camera, Lighting lighting, int views) {

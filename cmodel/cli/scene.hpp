@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "../batch/frame_engine.hpp"
 #include "../camera.hpp"
 #include "../geometry.hpp"
 #include "../io/stats_json.hpp"
@@ -39,6 +40,9 @@ class Scene {
   // The same triangles before they are snapped, in the same order; a TCOV case's are as in the
   // file.
   virtual void real(std::size_t index, const RealSink& sink) const = 0;
+  // The same into a frame engine, many triangles at a time.
+  virtual void draw(std::size_t index, const FrameState& frame, const Config& config,
+                    RunStats& stats, FrameEngine& engine) const;
 };
 
 // A mesh file (OBJ, glTF, GLB, PLY, STL). width x height in pixels. One frame for each of `views`
