@@ -20,6 +20,16 @@
 #include "frame_depth-inl.hpp"
 #include "frame_project-inl.hpp"
 #include "frame_shade-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace halfspace::simd::HWY_NAMESPACE {
+
+constexpr FrameKernels kernels(std::string_view isa) {
+  return {isa, &Highest, &Project, &Planes, &Depth, &Shade, &ShadeOnly, &Divide};
+}
+
+}  // namespace halfspace::simd::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
 #endif
 
 #if HWY_ONCE
@@ -33,37 +43,29 @@ struct Candidate {
 
 constexpr Candidate kCandidates[] = {
 #if HWY_TARGETS & HWY_AVX3_DL
-    {HWY_AVX3_DL,
-     {"avx3_dl", &N_AVX3_DL::Highest, &N_AVX3_DL::Project, &N_AVX3_DL::Planes, &N_AVX3_DL::Depth,
-      &N_AVX3_DL::Shade}},
+    {HWY_AVX3_DL, N_AVX3_DL::kernels("avx3_dl")},
 #endif
 #if HWY_TARGETS & HWY_AVX3
-    {HWY_AVX3,
-     {"avx3", &N_AVX3::Highest, &N_AVX3::Project, &N_AVX3::Planes, &N_AVX3::Depth, &N_AVX3::Shade}},
+    {HWY_AVX3, N_AVX3::kernels("avx3")},
 #endif
 #if HWY_TARGETS & HWY_AVX2
-    {HWY_AVX2,
-     {"avx2", &N_AVX2::Highest, &N_AVX2::Project, &N_AVX2::Planes, &N_AVX2::Depth, &N_AVX2::Shade}},
+    {HWY_AVX2, N_AVX2::kernels("avx2")},
 #endif
 #if HWY_TARGETS & HWY_SSE4
-    {HWY_SSE4,
-     {"sse4", &N_SSE4::Highest, &N_SSE4::Project, &N_SSE4::Planes, &N_SSE4::Depth, &N_SSE4::Shade}},
+    {HWY_SSE4, N_SSE4::kernels("sse4")},
 #endif
 #if HWY_TARGETS & HWY_SSSE3
-    {HWY_SSSE3,
-     {"ssse3", &N_SSSE3::Highest, &N_SSSE3::Project, &N_SSSE3::Planes, &N_SSSE3::Depth,
-      &N_SSSE3::Shade}},
+    {HWY_SSSE3, N_SSSE3::kernels("ssse3")},
 #endif
 #if HWY_TARGETS & HWY_NEON
-    {HWY_NEON,
-     {"neon", &N_NEON::Highest, &N_NEON::Project, &N_NEON::Planes, &N_NEON::Depth, &N_NEON::Shade}},
+    {HWY_NEON, N_NEON::kernels("neon")},
 #endif
 #if HWY_TARGETS & HWY_EMU128
-    {HWY_EMU128,
-     {"emu128", &N_EMU128::Highest, &N_EMU128::Project, &N_EMU128::Planes, &N_EMU128::Depth,
-      &N_EMU128::Shade}},
+    {HWY_EMU128, N_EMU128::kernels("emu128")},
 #endif
-    {0, {"scalar", &highest_scalar, &project_scalar, &planes_scalar, &depth_scalar, &shade_scalar}},
+    {0,
+     {"scalar", &highest_scalar, &project_scalar, &planes_scalar, &depth_scalar, &shade_scalar,
+      &shade_planes_scalar, &divide_scalar}},
 };
 
 }  // namespace

@@ -40,6 +40,18 @@ using ShadeKernel = void (*)(const FrameConstants& constants, const FrameTriangl
 using ProjectKernel = void (*)(const ProjectConstants& constants, const VertexSource& source,
                                std::size_t first, std::size_t count, VertexRecord* out);
 
+// Parts of the colour kernel, for tests: the planes of `count` triangles, and `count` divisions.
+using ShadePlaneKernel = void (*)(const FrameConstants& constants, const FrameTriangle* triangles,
+                                  std::size_t count, ShadePlanes* out);
+struct Division {
+  std::int32_t attribute = 0;    // units
+  std::int32_t inverse_w = 0;    // units
+  std::uint32_t reciprocal = 0;  // out: of the normalised 1/w
+  std::uint32_t value = 0;       // out: perspective()
+};
+using DivideKernel = void (*)(const FrameConstants& constants, Division* divisions,
+                              std::size_t count);
+
 struct FrameKernels {
   std::string_view isa;  // as KernelChoice
   HighestKernel highest;
@@ -47,6 +59,8 @@ struct FrameKernels {
   PlaneKernel planes;
   DepthKernel depth;
   ShadeKernel shade;
+  ShadePlaneKernel shade_planes;
+  DivideKernel divide;
 };
 
 // The readable ones, for any machine: simd/frame_scalar.cpp.
@@ -60,6 +74,10 @@ void depth_scalar(const FrameConstants& constants, const FrameTiles& tiles,
                   FrameCounts& counts);
 void shade_scalar(const FrameConstants& constants, const FrameTriangle* triangles,
                   FrameStore& store, PassedTiles& passed);
+
+void shade_planes_scalar(const FrameConstants& constants, const FrameTriangle* triangles,
+                         std::size_t count, ShadePlanes* out);
+void divide_scalar(const FrameConstants& constants, Division* divisions, std::size_t count);
 
 // Kernels this machine can run, the best first; never empty.
 std::span<const FrameKernels> frame_kernels();

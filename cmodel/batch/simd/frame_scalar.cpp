@@ -169,4 +169,19 @@ void shade_scalar(const FrameConstants& constants, const FrameTriangle* triangle
   }
 }
 
+void shade_planes_scalar(const FrameConstants& constants, const FrameTriangle* triangles,
+                         std::size_t count, ShadePlanes* out) {
+  for (std::size_t i = 0; i < count; ++i) out[i] = plain_shade_planes(triangles[i], constants);
+}
+
+void divide_scalar(const FrameConstants& constants, Division* divisions, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    Division& d = divisions[i];
+    const auto u = static_cast<std::uint32_t>(std::max(d.inverse_w, 1));
+    const std::uint32_t top = u << std::countl_zero(u);
+    d.reciprocal = reciprocal(top >> (32 - constants.config.reciprocal_bits), constants.config);
+    d.value = perspective(d.attribute, d.inverse_w, constants.config);
+  }
+}
+
 }  // namespace halfspace::simd

@@ -163,6 +163,31 @@ HWY_NOINLINE void shade_tiles(const FrameConstants& c, FrameStore& store, Passed
   }
 }
 
+void ShadeOnly(const FrameConstants& c, const FrameTriangle* triangles, std::size_t count,
+               ShadePlanes* out) {
+  for (std::size_t i = 0; i < count; ++i) triangle_planes(c, triangles[i], out[i]);
+}
+
+void Divide(const FrameConstants& c, Division* divisions, std::size_t count) {
+  const Divider divide = divider(c);
+  alignas(64) std::int32_t attribute[kLanes], inverse_w[kLanes];
+  alignas(64) std::uint32_t reciprocal[kLanes], value[kLanes];
+  for (std::size_t first = 0; first < count; first += kLanes) {
+    const std::size_t lanes = HWY_MIN(kLanes, count - first);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      attribute[i] = divisions[first + (i < lanes ? i : 0)].attribute;
+      inverse_w[i] = divisions[first + (i < lanes ? i : 0)].inverse_w;
+    }
+    const Divisor by = divisor(divide, hn::Load(DI(), inverse_w));
+    hn::Store(by.reciprocal, DU(), reciprocal);
+    hn::Store(over(divide, by, hn::Load(DI(), attribute)), DU(), value);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      divisions[first + i].reciprocal = reciprocal[i];
+      divisions[first + i].value = value[i];
+    }
+  }
+}
+
 void Shade(const FrameConstants& c, const FrameTriangle* triangles, FrameStore& store,
            PassedTiles& passed) {
   shade_planes(c, triangles, passed);
