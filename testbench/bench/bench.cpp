@@ -94,23 +94,31 @@ std::string name_of(const BenchRow& row) {
                      row.workload, row.size);
 }
 
-// What every engine must find on one workload. The first to know a thing says what it is.
+// What every engine must find on one workload. What the plain loop does not know, the first to
+// know says.
 class Agreement {
  public:
-  // The samples that the plain loop over the bounding box covers.
-  Agreement(const Workload& work) : samples_(scalar_samples(work)) {
-    if (samples_ == 0) throw BenchMismatch("nothing was compared: " + work.name + " is empty");
+  explicit Agreement(const Workload& work) : masks_(scalar_masks(work)) {
+    if (masks_.samples == 0) {
+      throw BenchMismatch("nothing was compared: " + work.name + " covers nothing");
+    }
   }
 
   void check(BenchRow& row, const BenchOutput& output) {
-    if (output.samples != samples_) {
+    if (output.samples != masks_.samples) {
       throw BenchMismatch(fmt::format("{}: covers {} samples, the plain loop {}", name_of(row),
-                                      output.samples, samples_));
+                                      output.samples, masks_.samples));
+    }
+    if (output.masks && *output.masks != masks_) {
+      throw BenchMismatch(name_of(row) + ": other masks than the plain loop's");
     }
     row.covered_samples = output.samples;
-    same(row, "tiles", output.tiles, tiles_);
-    same(row, "clocks", output.clocks, clocks_);
     row.clocks = output.clocks;
+    if (output.clocks && !clocks_) clocks_ = output.clocks;
+    if (output.clocks && *output.clocks != *clocks_) {
+      throw BenchMismatch(fmt::format("{}: {} clocks, the engines before it {}", name_of(row),
+                                      *output.clocks, *clocks_));
+    }
     if (output.hits && !hits_) hits_ = output.hits;
     if (output.hits && *output.hits != *hits_) {
       throw BenchMismatch(name_of(row) + ": other hits per pixel than the engines before it");
@@ -118,18 +126,9 @@ class Agreement {
     if (output.picture) compare(row, *output.picture);
   }
 
-  double tiles() const { return static_cast<double>(tiles_.value_or(0)); }
+  double tiles() const { return static_cast<double>(masks_.tiles); }
 
  private:
-  static void same(const BenchRow& row, const char* what, const std::optional<std::uint64_t>& found,
-                   std::optional<std::uint64_t>& expected) {
-    if (!found) return;
-    if (!expected) expected = found;
-    if (*found == *expected) return;
-    throw BenchMismatch(
-        fmt::format("{}: {} {}, the engines before it {}", name_of(row), *found, what, *expected));
-  }
-
   void compare(BenchRow& row, const Image& picture) {
     if (!picture_) {
       picture_ = picture;
@@ -158,8 +157,7 @@ class Agreement {
     }
   }
 
-  std::uint64_t samples_;
-  std::optional<std::uint64_t> tiles_;
+  MaskSum masks_;
   std::optional<std::uint64_t> clocks_;
   std::optional<std::vector<std::uint8_t>> hits_;
   std::optional<Image> picture_;

@@ -3,6 +3,7 @@
 // What the bench times: one engine on one workload.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -14,10 +15,29 @@
 
 namespace halfspace {
 
+// Covered tiles as they come, summed so that their order does not matter.
+struct MaskSum {
+  std::uint64_t samples = 0;
+  std::uint64_t tiles = 0;
+  std::uint64_t digest = 0;  // of places and masks
+
+  // column, row: of the tile, in tiles.
+  void add(std::uint32_t column, std::uint32_t row, std::uint64_t mask) {
+    samples += static_cast<std::uint64_t>(std::popcount(mask));
+    ++tiles;
+    // The finishing steps of splitmix64.
+    std::uint64_t x = mask + 0x9e3779b97f4a7c15u * (std::uint64_t{row} << 32 | column);
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    digest += x ^ (x >> 31);
+  }
+  bool operator==(const MaskSum&) const = default;
+};
+
 // What one run over a workload found. What an engine cannot tell is empty.
 struct BenchOutput {
   std::uint64_t samples = 0;
-  std::optional<std::uint64_t> tiles;
+  std::optional<MaskSum> masks;
   std::optional<std::uint64_t> clocks;
   std::optional<Image> picture;
   std::optional<std::vector<std::uint8_t>> hits;  // as HitCount::count()
@@ -38,8 +58,8 @@ std::vector<std::string> wanted_isas(const BenchOptions& options,
 // What a frame has where nothing is drawn.
 inline constexpr Rgb kBenchBackground{24, 26, 33};
 
-// Samples that the plain loop over the bounding box covers: what all others must find.
-std::uint64_t scalar_samples(const Workload& work);
+// What the plain loop over the bounding box covers, and all others must find.
+MaskSum scalar_masks(const Workload& work);
 
 // The engines of level coverage and below: scalar, bit, coverage, cycle.
 std::vector<BenchEntry> coverage_entries(const Workload& work, const BenchOptions& options);

@@ -35,11 +35,7 @@ BenchOutput draw_by_stages(const Workload& work) {
     stage.process({vertex[index[0]], vertex[index[1]], vertex[index[2]]}, tag++, pieces);
     for (const ShadedTriangle& piece : pieces) rasterizer.draw(piece);
   }
-  return {rasterizer.stats().samples_covered,
-          rasterizer.stats().tiles_covered,
-          {},
-          rasterizer.framebuffer().resolve(),
-          {}};
+  return {rasterizer.stats().samples_covered, {}, {}, rasterizer.framebuffer().resolve(), {}};
 }
 
 // The same frame by FrameEngine, into 32-bit pixels that are kept from frame to frame, as the
@@ -67,8 +63,7 @@ class EngineFrame {
                                static_cast<std::uint8_t>(pixel >> 8),
                                static_cast<std::uint8_t>(pixel >> 16)});
     }
-    return {
-        engine_.stats().samples_covered, engine_.stats().tiles_covered, {}, std::move(picture), {}};
+    return {engine_.stats().samples_covered, {}, {}, std::move(picture), {}};
   }
 
  private:

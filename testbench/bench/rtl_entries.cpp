@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <bit>
 #include <memory>
 
 #include "cosim.hpp"
@@ -14,12 +13,13 @@ std::vector<BenchEntry> rtl_entries(const Workload& work) {
   if (rtl == nullptr) return {};
   const auto run = [&work, rtl] {
     BenchOutput out;
-    std::uint64_t tiles = 0;
+    MaskSum masks;
     out.clocks = run_rtl(*rtl, work.triangles, work.frame, Stalls(), [&](const CoverageTile& tile) {
-                   ++tiles;
-                   out.samples += static_cast<std::uint64_t>(std::popcount(tile.mask[0]));
+                   masks.add(static_cast<std::uint32_t>(tile.x) / 8,
+                             static_cast<std::uint32_t>(tile.y) / 8, tile.mask[0]);
                  }).clocks;
-    out.tiles = tiles;
+    out.samples = masks.samples;
+    out.masks = masks;
     return out;
   };
   BenchRow row;
