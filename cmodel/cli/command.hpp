@@ -68,5 +68,6 @@ Action add_explain_command(CLI::App& program);
 Action add_bench_command(CLI::App& program);
 Action add_vectors_command(CLI::App& program);
 Action add_fit_command(CLI::App& program);
+Action add_methods_command(CLI::App& program);
 
 }  // namespace halfspace

@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
   actions.emplace_back("bench", halfspace::add_bench_command(program));
   actions.emplace_back("vectors", halfspace::add_vectors_command(program));
   actions.emplace_back("fit", halfspace::add_fit_command(program));
+  actions.emplace_back("methods", halfspace::add_methods_command(program));
   actions.emplace_back("config", halfspace::add_config_command(program));
   actions.emplace_back("chart", halfspace::add_chart_command(program));
   actions.emplace_back("explain", halfspace::add_explain_command(program));

@@ -25,6 +25,10 @@ Rgb blend(Rgb under, Rgb over, unsigned weight) {
 }  // namespace
 
 Image picture_of_hits(const HitCount& hits) {
+  return picture_of_counts(hits.count(), hits.width(), hits.height());
+}
+
+Image picture_of_counts(const std::vector<std::uint8_t>& counts, int width, int height) {
   // One to eight: blue, teal, green, yellow, orange, red, pink, white.
   constexpr std::array<Rgb, 8> kRamp{{{58, 82, 139},
                                       {33, 144, 141},
@@ -34,9 +38,9 @@ Image picture_of_hits(const HitCount& hits) {
                                       {227, 47, 39},
                                       {233, 120, 190},
                                       {255, 255, 255}}};
-  Image image = blank(hits.width(), hits.height());
+  Image image = blank(width, height);
   for (std::size_t i = 0; i < image.pixel.size(); ++i) {
-    const unsigned count = hits.count()[i];
+    const unsigned count = counts[i];
     if (count != 0) image.pixel[i] = kRamp[std::min(count, 8u) - 1];
   }
   return image;

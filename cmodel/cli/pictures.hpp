@@ -15,6 +15,8 @@ inline constexpr Rgb kBackground{24, 26, 33};
 
 // Hit counts: background, then cool to hot from 1 to 8 triangles and more.
 Image picture_of_hits(const HitCount& hits);
+// The same from counts, row by row.
+Image picture_of_counts(const std::vector<std::uint8_t>& counts, int width, int height);
 
 // Depth buffer values: near bright, far dark, over the range that occurs; `far` where nothing is.
 Image picture_of_depth(const std::vector<std::uint32_t>& depth, int width, int height,

@@ -16,6 +16,7 @@
 #include "bit_frame.hpp"
 #include "command.hpp"
 #include "level_run.hpp"
+#include "method_picture.hpp"
 #include "pictures.hpp"
 #include "rtl_link.hpp"
 #include "scene_options.hpp"
@@ -37,6 +38,7 @@ struct RenderOptions {
   std::string shade;
   std::string depth_test = "less";
   int threads = 0;
+  std::string method;
   ConfigOptions config;
 };
 
@@ -160,8 +162,13 @@ void write_level_trace(const std::string& path, Level level, const Scene& scene,
 
 void run_render(const RenderOptions& options) {
   const Clock::time_point start = Clock::now();
+  const methods::Method* method = nullptr;
+  if (!options.method.empty()) method = &find_method(options.method, options.shade);
   const Level level = parse_level(options.level);
-  const Shade shade = parse_shade(options, level);
+  // A method has shades of its own; of --shade only the light matters here.
+  const Shade shade = method == nullptr         ? parse_shade(options, level)
+                      : options.shade == "flat" ? Shade::kFlat
+                                                : Shade::kGouraud;
   const Cull cull = parse_cull(options.cull);
   const BitFrameOptions bit{parse_depth_test(options.depth_test), kBackground,
                             shade == Shade::kDepth, !options.stats.empty(), options.threads};
@@ -175,11 +182,15 @@ void run_render(const RenderOptions& options) {
 
   RunStats stats;
   stats.command = "render";
-  stats.level = options.level;
+  stats.level = method == nullptr ? options.level : method->name;
   std::vector<Image> images;
   for (std::size_t i = 0; i < scene->frames(); ++i) {
     FrameState frame = scene->frame(i, config);
     frame.cull = cull;
+    if (method != nullptr) {
+      images.push_back(method_picture(*scene, i, frame, *method, options.shade, stats));
+      continue;
+    }
     FrameRun run(*scene, i, frame, config, stats);
     switch (shade) {
       case Shade::kCoverage: images.push_back(run.coverage(level)); break;
@@ -214,6 +225,12 @@ Action add_render_command(CLI::App& program) {
                    "Threads of level bit, 0: as many as the machine has; the picture is the same")
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
+  CLI::Option* method = command->add_option(
+      "--method", o->method, "Draw with a method of the gallery (halfspace methods lists them)");
+  for (const char* other :
+       {"--level", "--trace", "--depth-test", "--cull", "--samples", "--threads"}) {
+    method->excludes(command->get_option(other));  // the method has its own way
+  }
   command->footer(
       "Without --eye the camera frames the scene by itself.\n"
       "Example: halfspace render tests/scenes/teapot.obj --size 640x480 --out out/teapot.png");

@@ -16,6 +16,7 @@
 #include "../io/mesh.hpp"
 #include "../io/tcov.hpp"
 #include "progress.hpp"
+#include "vertex_cache.hpp"
 
 namespace halfspace {
 namespace {
@@ -25,79 +26,6 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
-
-// The last vertices made, by the low bits of their index: most are used again within a few
-// triangles, and memory does not grow with the mesh.
-class VertexCache {
- public:
-  explicit VertexCache(const VertexShader& shader) : shader_(shader) {}
-
-  const ClipVertex& vertex(std::uint32_t index) {
-    Entry& entry = entries_[index & (kEntries - 1)];
-    if (entry.key != index + std::uint64_t{1}) {
-      entry.vertex = shader_.vertex(index);
-      entry.key = index + std::uint64_t{1};
-    }
-    return entry.vertex;
-  }
-
- private:
-  static constexpr std::uint32_t kEntries = 1 << 13;
-  struct Entry {
-    std::uint64_t key = 0;  // the index plus 1; 0: nothing yet
-    ClipVertex vertex;
-  };
-  const VertexShader& shader_;
-  std::vector<Entry> entries_ = std::vector<Entry>(kEntries);
-};
-
-// Some triangles of a mesh with the vertices that they use, each once as a rule: what a frame
-// engine draws at a time, so that memory does not grow with the mesh.
-constexpr std::size_t kPartTriangles = 32768;
-
-class MeshPart {
- public:
-  explicit MeshPart(const VertexShader& shader) : shader_(shader) {}
-
-  void add(const std::array<std::uint32_t, 3>& triangle) {
-    std::array<std::uint32_t, 3> local{};
-    for (std::size_t i = 0; i < 3; ++i) local[i] = place(triangle[i]);
-    triangles_.push_back(local);
-  }
-
-  void clear() {
-    vertices_.clear();
-    triangles_.clear();
-    ++part_;
-  }
-
-  const std::vector<ClipVertex>& vertices() const { return vertices_; }
-  const std::vector<std::array<std::uint32_t, 3>>& triangles() const { return triangles_; }
-
- private:
-  static constexpr std::uint32_t kEntries = 1 << 15;
-  struct Entry {
-    std::uint32_t part = 0;  // 0: nothing yet
-    std::uint32_t index = 0;
-    std::uint32_t place = 0;
-  };
-
-  // Where the vertex is in vertices_.
-  std::uint32_t place(std::uint32_t index) {
-    Entry& entry = entries_[index & (kEntries - 1)];
-    if (entry.part != part_ || entry.index != index) {
-      entry = {part_, index, static_cast<std::uint32_t>(vertices_.size())};
-      vertices_.push_back(shader_.vertex(index));
-    }
-    return entry.place;
-  }
-
-  const VertexShader& shader_;
-  std::uint32_t part_ = 1;
-  std::vector<Entry> entries_ = std::vector<Entry>(kEntries);
-  std::vector<ClipVertex> vertices_;
-  std::vector<std::array<std::uint32_t, 3>> triangles_;
-};
 
 class MeshScene : public Scene {
  public:
@@ -179,6 +107,27 @@ class MeshScene : public Scene {
     engine.draw(part.vertices(), part.triangles());
     stats.geometry = engine.geometry();
     stats.simulate_seconds += seconds_since(start);
+  }
+
+  methods::Drawing drawing(std::size_t index, const FrameState& frame) const override {
+    VertexCache vertices(shader_[index]);
+    std::vector<methods::ClipFacet> clip;
+    std::vector<methods::WorldFacet> world;
+    for (const auto& triangle : mesh_.triangles) {
+      const std::array<ClipVertex, 3> corner = corners(triangle, index, vertices);
+      methods::ClipFacet& clipped = clip.emplace_back();
+      methods::WorldFacet& placed = world.emplace_back();
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto& a = corner[i].attribute;
+        const methods::Color color{a[0], a[1], a[2]};
+        clipped[i] = {corner[i].position, color};
+        placed[i] = {glm::dvec3(mesh_.positions[triangle[i]]), color};
+      }
+    }
+    methods::Drawing out = methods::drawing_of(std::move(clip), frame.width, frame.height);
+    out.view.camera = shader_[index].camera();
+    out.world = std::move(world);
+    return out;
   }
 
  private:
@@ -264,6 +213,20 @@ class TcovScene : public Scene {
       }
       sink(triangle);
     }
+  }
+
+  methods::Drawing drawing(std::size_t index, const FrameState& frame) const override {
+    std::vector<methods::Facet> facets;
+    for (const auto& triangle : cases_[index].triangles) {
+      const auto color = triangle_color(facets.size());
+      methods::Facet& facet = facets.emplace_back();
+      for (std::size_t i = 0; i < 3; ++i) {
+        facet[i].x = std::ldexp(static_cast<double>(triangle[2 * i]), -8);
+        facet[i].y = std::ldexp(static_cast<double>(triangle[2 * i + 1]), -8);
+        for (std::size_t c = 0; c < 3; ++c) facet[i].color[c] = std::ldexp(color[c], -8);
+      }
+    }
+    return methods::drawing_of(facets, frame.width, frame.height);
   }
 
  private:

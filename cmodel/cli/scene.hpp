@@ -13,6 +13,7 @@
 #include "../camera.hpp"
 #include "../geometry.hpp"
 #include "../io/stats_json.hpp"
+#include "../methods/method.hpp"
 #include "real_triangles.hpp"
 #include "vertex_shader.hpp"
 
@@ -43,6 +44,8 @@ class Scene {
   // The same into a frame engine, many triangles at a time.
   virtual void draw(std::size_t index, const FrameState& frame, const Config& config,
                     RunStats& stats, FrameEngine& engine) const;
+  // The same frame before snapping, in every form that a method of the gallery may take.
+  virtual methods::Drawing drawing(std::size_t index, const FrameState& frame) const = 0;
 };
 
 // A mesh file (OBJ, glTF, GLB, PLY, STL). width x height in pixels. One frame for each of `views`

@@ -18,11 +18,10 @@ glm::dvec3 over_the_shoulder(const Camera& camera) {
 }  // namespace
 
 VertexShader::VertexShader(const Mesh& mesh, double aspect, const CameraOptions& options)
-    : mesh_(mesh) {
-  const Camera camera = frame_camera(mesh.bounds, aspect, options);
-  world_to_clip_ = world_to_clip(camera, aspect);
-  light_ = over_the_shoulder(camera);
-}
+    : mesh_(mesh),
+      camera_(frame_camera(mesh.bounds, aspect, options)),
+      world_to_clip_(world_to_clip(camera_, aspect)),
+      light_(over_the_shoulder(camera_)) {}
 
 ClipVertex VertexShader::vertex(std::uint32_t index) const {
   ClipVertex out;

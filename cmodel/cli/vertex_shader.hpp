@@ -24,6 +24,7 @@ class VertexShader {
 
   // Clip space is matrix() * (position, 1).
   const glm::dmat4& matrix() const { return world_to_clip_; }
+  const Camera& camera() const { return camera_; }
 
   // Vertex `index` in clip space; its colour 0..255 under a two-sided diffuse light from over the
   // viewer's shoulder.
@@ -36,6 +37,7 @@ class VertexShader {
   std::array<double, kMaxAttributes> shade(const glm::dvec3& color, const glm::dvec3& normal) const;
 
   const Mesh& mesh_;
+  Camera camera_;
   glm::dmat4 world_to_clip_;
   glm::dvec3 light_;  // towards it
 };

@@ -32,6 +32,9 @@ enum class ErrorCode : int {
   kFileWrite = 30,      // cannot create, write or rename the output
   kLevel = 40,          // level not available in this build
   kScene = 41,          // the scene does not fit the request (camera, case number, ...)
+  kMethod = 70,         // no method of that name
+  kMethodOption = 71,   // an option that the method cannot honour
+  kMethodGaveUp = 72,   // a method did not finish within its budget of steps
   kInterrupted = 50,    // Ctrl-C
   kEngine = 60,         // an engine of the bench that this machine does not have
   kIsa = 61,            // an instruction set that this machine does not have

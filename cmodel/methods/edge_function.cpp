@@ -105,7 +105,7 @@ void draw_wrapping(const Facet& facet, Canvas& canvas) {
 void add_edge_function(std::vector<Method>& list) {
   for (const Variant& variant : kVariants) add<float>(list, variant, "float");
   for (const Variant& variant : kVariants) add<double>(list, variant, "double");
-  for (const int bits : {4, 8, 12}) add_fixed(list, bits);
+  for (const int bits : {4, 6, 8, 10, 12}) add_fixed(list, bits);
   Method narrow = list.back();
   narrow.name = "edge_fixed_s8_int32";
   narrow.title = "Edge functions over the bounding box, 8 subpixel bits in 32-bit integers";

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "method.hpp"
 
-#include <algorithm>
-
 #include "catalogue.hpp"
 
 namespace halfspace::methods {
@@ -32,12 +30,6 @@ std::vector<Method> collect() {
   add_clipping(list);
   add_pipeline(list);
   return list;
-}
-
-ClipPoint clip_point(const Vertex& v, const View& view) {
-  const double x = 2 * v.x / view.width - 1;
-  const double y = 1 - 2 * v.y / view.height;
-  return {{x * v.w, y * v.w, (2 * v.z - 1) * v.w, v.w}, v.color};
 }
 
 // One primitive after another, while the budget lasts.
@@ -73,36 +65,6 @@ const char* rule_name(Rule rule) {
   constexpr std::array<const char*, 6> names{"top-left",  "draws ties", "skips ties",
                                              "half-open", "off-screen", "unspecified"};
   return names[static_cast<std::size_t>(rule)];
-}
-
-Drawing drawing_of(std::span<const Facet> facets, int width, int height) {
-  Drawing out;
-  out.view.width = width;
-  out.view.height = height;
-  // One world unit is a pixel, y up, and the window's depth runs along the view.
-  Camera& camera = out.view.camera;
-  camera.eye = {width / 2.0, height / 2.0, 0.0};
-  camera.target = camera.eye - glm::dvec3(0, 0, 1);
-  camera.orthographic = true;
-  camera.ortho_height = height;
-  camera.near = 0;
-  camera.far = 1;
-  out.facets.assign(facets.begin(), facets.end());
-  for (const Facet& f : facets) {
-    out.polygons.push_back({{{f[0].position(), f[1].position(), f[2].position()}}});
-    for (std::size_t i = 0; i < 3; ++i) {
-      out.segments.push_back({f[i].position(), f[(i + 1) % 3].position()});
-    }
-    ClipFacet clip;
-    WorldFacet world;
-    for (std::size_t i = 0; i < 3; ++i) {
-      clip[i] = clip_point(f[i], out.view);
-      world[i] = {{f[i].x, height - f[i].y, -f[i].z}, f[i].color};
-    }
-    out.clip.push_back(clip);
-    out.world.push_back(world);
-  }
-  return out;
 }
 
 void draw(const Method& method, const Drawing& drawing, Canvas& canvas) {

@@ -137,6 +137,10 @@ struct Drawing {
 // width, height: the frame, px.
 Drawing drawing_of(std::span<const Facet> facets, int width, int height);
 
+// Triangles in clip space in all forms but the world's: they are clipped to near, far and a guard
+// band before they become triangles, polygons and segments of the window.
+Drawing drawing_of(std::vector<ClipFacet> clip, int width, int height);
+
 // Draws all primitives of the method's kind in order, or until the canvas is exhausted.
 void draw(const Method& method, const Drawing& drawing, Canvas& canvas);
 
