@@ -29,11 +29,11 @@ TEST(Gallery, HasAllEighteenRowsAndSaysWhatEachIsFor) {
   for (const Method& m : all()) {
     rows.insert(m.row);
     EXPECT_TRUE(names.insert(m.name).second) << m.name << " twice";
-    for (const std::string* text : {&m.family, &m.title, &m.source, &m.complexity, &m.use,
-                                    &m.precision}) {
+    for (const std::string* text :
+         {&m.family, &m.title, &m.source, &m.complexity, &m.use, &m.precision}) {
       EXPECT_FALSE(text->empty()) << m.name;
     }
-    if (!m.exact) EXPECT_FALSE(m.fails.empty()) << m.name << " is not exact but never fails";
+    EXPECT_TRUE(m.exact || !m.fails.empty()) << m.name << " is not exact but never fails";
     EXPECT_EQ(find(m.name), &m);
   }
   EXPECT_EQ(rows.size(), 18u);
@@ -73,8 +73,8 @@ TEST(Gallery, ExactMethodsHaveNoWrongPixelOnAnyReproducer) {
       {"collinear", {oracle::collinear()}, 96, 0},
       {"mesh16", oracle::jittered_mesh({.size = 256}), 256, 0},
       {"mesh4", oracle::jittered_mesh({.size = 128, .cell = 4}), 128, 0},
-      {"mesh_h",
-       oracle::jittered_mesh({.size = 256, .grid = 1, .phase = 0.5, .square = false}), 256, 0},
+      {"mesh_h", oracle::jittered_mesh({.size = 256, .grid = 1, .phase = 0.5, .square = false}),
+       256, 0},
       {"mesh16 far", oracle::jittered_mesh({.size = 128, .offset = 15800}), 128, 15800},
       {"fan", oracle::needle_fan(100), 1024, 0},
       {"huge", oracle::random_triangles(5, 12, 16000, 16380), 128, 8000},
@@ -84,7 +84,8 @@ TEST(Gallery, ExactMethodsHaveNoWrongPixelOnAnyReproducer) {
     const oracle::Window window{c.size, c.size, c.first, c.first};
     for (const Method& m : all()) {
       if (!m.exact || m.input() == InputKind::kLines) continue;
-      const auto triangles = snapped_corners(c.triangles, m.subpixel_bits < 0 ? 8 : m.subpixel_bits);
+      const auto triangles =
+          snapped_corners(c.triangles, m.subpixel_bits < 0 ? 8 : m.subpixel_bits);
       const Canvas canvas = drawn(m, triangles, window);
       const auto e = oracle::compare_hits(canvas.hits(), oracle::exact_hits(triangles, window));
       EXPECT_EQ(e.wrong, 0u) << m.name << " on " << c.name << ": " << e.gaps << " gaps, "
@@ -96,7 +97,8 @@ TEST(Gallery, ExactMethodsHaveNoWrongPixelOnAnyReproducer) {
 TEST(Gallery, NothingThatIsNotFiniteCrashesAMethod) {
   const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
   for (const double bad : {inf, -inf, nan, 1e300, -1e300}) {
-    const std::vector<Corners> triangles{{{{bad, 4}, {9, 5}, {3, 30}}}, {{{2, 2}, {9, bad}, {30, 3}}}};
+    const std::vector<Corners> triangles{{{{bad, 4}, {9, 5}, {3, 30}}},
+                                         {{{2, 2}, {9, bad}, {30, 3}}}};
     for (const Method& m : all()) {
       Canvas canvas(32, 32, 0, 0, 1 << 20);
       draw(m, drawing_of(facets_of(triangles), 32, 32), canvas);
@@ -127,11 +129,14 @@ TEST(Polygons, HolesAndConcaveRingsAgainstTheOracle) {
     const auto e = oracle::compare_hits(canvas.hits(), oracle::exact_hits(rings, {64, 64, 0, 0}));
     EXPECT_EQ(e.wrong == 0, right) << name << ": " << e.wrong << " of " << e.covered;
   };
-  for (const char* name : {"parity_top_in", "parity_exact", "aet_double", "decompose_ear"}) {
+  for (const char* name : {"parity_top_in", "parity_exact", "decompose_ear"}) {
     check(name, {{outer}}, true);
   }
-  check("decompose_fan", {{outer}}, false);  // concave
-  for (const char* name : {"parity_top_in", "parity_exact", "aet_double", "decompose_constrained"}) {
+  check("aet_double", {{outer}}, false);  // its sums of slopes round at centres on edges
+  Ring turned = outer;
+  std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+  check("decompose_fan", {{turned}}, false);  // concave, and not star-shaped from there
+  for (const char* name : {"parity_top_in", "parity_exact", "decompose_constrained"}) {
     check(name, {{outer, hole}}, true);
   }
   check("decompose_ear", {{outer, hole}}, false);  // fills the hole twice

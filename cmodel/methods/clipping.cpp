@@ -102,7 +102,8 @@ void add_clipping(std::vector<Method>& list) {
       "cut edges move by a rounding at the frame's border, so shared edges there may show",
       [](const ClipFacet& f, const View& v, Canvas& c) { draw_clipped(f, v, c, view_volume()); });
   add(list, "guard_band", "near, far and a guard band of 2^15 px",
-      "hardware: only what exceeds the widths is cut, far outside the frame", "",
+      "hardware: only what exceeds the widths is cut, far outside the frame",
+      "cuts at the near plane round, as in clip_near; the band costs bits in every width",
       [](const ClipFacet& f, const View& v, Canvas& c) {
         draw_clipped(f, v, c, guard_band(v, kBand));
       });

@@ -40,13 +40,14 @@ const std::vector<TileMask>& table() {
 using Table = const std::vector<TileMask>& (*)();
 
 template <class Lookup>
-TileMask looked_up(const TileLine& line, int n, Lookup&& lookup) {
+TileMask looked_up(const TileLine& line, int n, Crossing rounding, Lookup&& lookup) {
   const std::optional<BorderCrossing> crossing = border_crossing(line);
   const bool centre_inside = line.a * 4 + line.b * 4 + line.c >= 0;
   if (!crossing) return centre_inside ? kFullTile : 0;
   const int around = 32 * n;
-  const int in = static_cast<int>(std::lround(crossing->in * n)) % around;
-  const int out = static_cast<int>(std::lround(crossing->out * n)) % around;
+  const double half = rounding == Crossing::kNearest ? 0.5 : 0.0;
+  const int in = static_cast<int>(crossing->in * n + half) % around;
+  const int out = static_cast<int>(crossing->out * n + half) % around;
   if (in == out) return centre_inside ? kFullTile : 0;
   return lookup(in, out);
 }
@@ -107,7 +108,7 @@ TileLine tile_line(const EdgeLine<std::int64_t>& edge, int x, int y, const Fixed
 
 void draw_table(const Facet& facet, Canvas& canvas, int n, Table table) {
   draw_tiles(facet, canvas, [n, table](const EdgeLine<std::int64_t>& edge, int x, int y) {
-    return looked_up(tile_line(edge, x, y, Fixed{8}), n, [&](int in, int out) {
+    return looked_up(tile_line(edge, x, y, Fixed{8}), n, Crossing::kNearest, [&](int in, int out) {
       return table != nullptr ? table()[static_cast<std::size_t>(in * 32 * n + out)]
                               : table_entry(in, out, n);
     });
@@ -163,8 +164,8 @@ TileMask table_entry(int in, int out, int n) {
   return mask;
 }
 
-TileMask table_mask(const TileLine& line, int n) {
-  return looked_up(line, n, [n](int in, int out) { return table_entry(in, out, n); });
+TileMask table_mask(const TileLine& line, int n, Crossing rounding) {
+  return looked_up(line, n, rounding, [n](int in, int out) { return table_entry(in, out, n); });
 }
 
 void add_mask_table(std::vector<Method>& list) {

@@ -30,8 +30,11 @@ std::optional<BorderCrossing> border_crossing(const TileLine& line);
 // 1/n px along it. The table's entry: what a line that crosses exactly there covers.
 TileMask table_entry(int in, int out, int n);
 
-// The mask of a line with its crossings rounded to 1/n px: what a table of (32 n)^2 entries gives.
+// How a crossing becomes a multiple of 1/n px.
+enum class Crossing { kNearest, kTruncated };
+
+// The mask of a line with its crossings moved to 1/n px: what a table of (32 n)^2 entries gives.
 // Full or empty when it misses the tile or its crossings round together.
-TileMask table_mask(const TileLine& line, int n);
+TileMask table_mask(const TileLine& line, int n, Crossing rounding = Crossing::kNearest);
 
 }  // namespace halfspace::methods
