@@ -9,8 +9,7 @@
 
 #include "io/error.hpp"
 #include "io/png_file.hpp"
-#include "methods/method.hpp"
-#include "metrics.hpp"
+#include "method_judge.hpp"
 #include "reproducers.hpp"
 
 namespace {
@@ -26,15 +25,6 @@ Image blank(int width, int height) {
   return {
       width, height,
       std::vector<Rgb>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), kLine)};
-}
-
-methods::Drawing drawing_of(const std::vector<Corners>& triangles, const oracle::Window& window) {
-  std::vector<methods::Facet> facets;
-  for (const Corners& t : triangles) {
-    methods::Facet& f = facets.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) f[i].x = t[i].x, f[i].y = t[i].y;
-  }
-  return methods::drawing_of(facets, window.width, window.height);
 }
 
 methods::Canvas drawn(const char* name, const methods::Drawing& drawing,
@@ -80,8 +70,9 @@ void write(const std::string& path, const std::vector<const char*>& names,
 
 void pair(const std::string& path, const std::vector<const char*>& names,
           const std::vector<Corners>& triangles, const oracle::Window& window, int scale) {
-  write(path, names, drawing_of(triangles, window), window, scale,
-        oracle::exact_hits(triangles, window));
+  write(path, names,
+        methods::drawing_of(methods::facets_of(triangles), window.width, window.height), window,
+        scale, oracle::exact_hits(triangles, window));
 }
 
 void polygon_pair(const std::string& path, const std::vector<const char*>& names,
@@ -105,7 +96,7 @@ void line_pair(const std::string& path) {
 }
 
 // A square floor in perspective, red to green along it.
-void floor_pair(const std::string& path) {
+void floor_pair(const std::string& path, const char* failing) {
   const oracle::Window window{128, 96, 0, 0};
   const auto at = [](double x, double y, double w, double level) {
     methods::Vertex v{x, y, 0.5, w, {}};
@@ -116,7 +107,7 @@ void floor_pair(const std::string& path) {
                         d = at(2, 94, 1, 255);
   methods::Drawing drawing;
   drawing.facets = {{a, b, c}, {a, c, d}};
-  write(path, {"shade_affine", "shade_perspective"}, drawing, window, 3, {});
+  write(path, {failing, "shade_perspective"}, drawing, window, 3, {});
 }
 
 // The floor that reaches behind the eye: y grows without bound as w goes to 0.
@@ -132,6 +123,14 @@ void clip_pair(const std::string& path) {
   write(path, {"clip_none", "clip_guard_band"}, drawing, window, 3, exact);
 }
 
+// Thin triangles a few pixels apart.
+std::vector<Corners> slivers() {
+  std::vector<Corners> out;
+  for (int i = 0; i < 7; ++i)
+    out.push_back({{{2, 6.25 + 8 * i}, {62, 2.5 + 8 * i}, {61, 4.75 + 8 * i}}});
+  return out;
+}
+
 void run(const std::string& out) {
   const oracle::Window small{12, 12, 0, 0}, patch{64, 64, 256, 256}, far{64, 64, 16056, 16056};
   line_pair(out + "/lines.png");
@@ -145,12 +144,13 @@ void run(const std::string& out) {
   pair(out + "/fill_rules.png", {"fill_skip_ties", "fill_top_left"}, oracle::mesh_h(), patch, 4);
   pair(out + "/fill_rules_quad.png", {"fill_draw_ties", "fill_top_left"}, oracle::quad_on_samples(),
        small, 16);
-  pair(out + "/tiled.png", {"table_n8", "tiled_8"}, oracle::needle_fan(200), {64, 64, 600, 530}, 4);
+  pair(out + "/tiled.png", {"table_n8", "tiled_8"}, slivers(), {64, 64, 0, 0}, 4);
   polygon_pair(out + "/polygons.png", {"parity_closed", "parity_top_in"}, {oracle::diamond()},
                {10, 10, 0, 0}, 16);
   polygon_pair(out + "/polygons_fan.png", {"decompose_fan", "decompose_ear"},
                {{{60, 4}, {40, 30}, {61, 60}, {6, 50}, {2, 2}}}, {64, 64, 0, 0}, 4);
-  floor_pair(out + "/interpolation.png");
+  floor_pair(out + "/interpolation.png", "shade_affine");
+  floor_pair(out + "/subdivision.png", "micropolygons");
   clip_pair(out + "/projection.png");
 }
 

@@ -182,17 +182,7 @@ TEST(Failures, MaskTablesAreAsFineAsTheirBorderSteps) {
 TEST(Failures, EverySubpixelBitHalvesTheErrorAgainstRealVertices) {
   const auto triangles = oracle::random_triangles(12, 20'000, 16, 1008);
   const auto ppm = [&](int bits) {
-    const Method& m = method("edge_fixed_s" + std::to_string(bits));
-    HitErrors sum;
-    for (const oracle::Corners& t : triangles) {
-      const int x = static_cast<int>(std::min({t[0].x, t[1].x, t[2].x})) - 1;
-      const int y = static_cast<int>(std::min({t[0].y, t[1].y, t[2].y})) - 1;
-      const oracle::Window window{20, 20, x, y};
-      Canvas canvas(20, 20, x, y);
-      std::get<DrawFacet>(m.draw)(facets_of({t})[0], canvas);
-      sum += oracle::compare_hits(canvas.hits(), oracle::exact_hits(std::span(&t, 1), window));
-    }
-    return sum.ppm();
+    return hit_errors_alone(method("halfspace_s" + std::to_string(bits)), triangles).ppm();
   };
   expect_about(ppm(4), 15428, "s = 4");
   expect_about(ppm(6), 3956, "s = 6");

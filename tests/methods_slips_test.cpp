@@ -44,7 +44,7 @@ template <class Test>
 int pixels_of_quad(Test&& test) {
   int count = 0;
   for (const oracle::Corners& t : oracle::quad_on_samples()) {
-    const Corners<std::int64_t> c = oriented(facets_of({t})[0], Fixed{1});
+    const Corners<std::int64_t> c = oriented(facets_of(std::span(&t, 1))[0], Fixed{1});
     for (int y = 0; y < 12; ++y) {
       for (int x = 0; x < 12; ++x) {
         std::array<std::int64_t, 3> e{};

@@ -66,7 +66,9 @@ void add_micropolygons(std::vector<Method>& list) {
              "; R. Cook, L. Carpenter and E. Catmull, The Reyes Image Rendering Architecture, 1987";
   m.complexity = "O(box area x 4/3), a small triangle per pixel";
   m.use = "displaced or curved surfaces, where small pieces are wanted anyway";
-  m.fails = "coordinates with too many bits: midpoints round, neighbours no longer agree";
+  m.fails =
+      "diced in the window, colours are affine: wrong in perspective; vertices with too many bits "
+      "make midpoints round";
   m.rule = Rule::kTopLeft;
   m.precision = "double";
   // Midpoints add a bit a level: 14 + 8 + 15 bits. Differences within a pixel: products fit 53.

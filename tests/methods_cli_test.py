@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""halfspace methods, and render --method, as a user runs them."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["HALFSPACE"]
+TESTS = pathlib.Path(os.environ["HALFSPACE_TESTS"])
+TEAPOT = TESTS / "scenes" / "teapot.obj"
+PUBLIC = TESTS / "data" / "public.tcov"
+
+
+class Methods(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.out = pathlib.Path(self.folder.name)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def run_program(self, *args):
+        return subprocess.run([PROGRAM, *map(str, args)], capture_output=True, text=True,
+                              timeout=120)
+
+    def succeed(self, *args):
+        done = self.run_program(*args)
+        self.assertEqual(done.returncode, 0, f"{args}: {done.stderr}")
+        return done.stdout
+
+    def draw(self, *args):
+        """The picture's bytes and the CRC of its hit counts."""
+        png, stats = self.out / "p.png", self.out / "p.json"
+        self.succeed("render", *args, "--out", png, "--stats", stats)
+        return png.read_bytes(), json.loads(stats.read_text())["coverage_crc32"]
+
+    def methods(self):
+        return json.loads(self.succeed("methods", "--json"))
+
+    def test_lists_eighteen_rows_with_every_field(self):
+        listed = self.methods()
+        self.assertEqual({m["row"] for m in listed}, set(range(1, 19)))
+        for m in listed:
+            for key in ("name", "title", "input", "rule", "precision", "complexity", "use",
+                        "source"):
+                self.assertTrue(m[key], f"{m['name']}: {key}")
+            self.assertTrue((TESTS.parent / m["page"]).is_file(), m["page"])
+        text = self.succeed("methods")
+        for m in listed:
+            self.assertIn(m["name"] + " ", text)
+
+    def test_every_method_draws_the_teapot_and_every_row_a_case(self):
+        drawn, rows = set(), set()
+        for m in self.methods():
+            scenes = [(TEAPOT, "--size", "96x72")]
+            if m["row"] not in rows:
+                scenes.append((PUBLIC, "--case", "0"))
+            rows.add(m["row"])
+            for scene in scenes:
+                png, crc = self.draw(*scene, "--method", m["name"])
+                self.assertEqual(png[:8], b"\x89PNG\r\n\x1a\n", m["name"])
+                drawn.add((scene, crc))
+        # Exact and inexact methods differ, but a blank picture would be one CRC for all.
+        self.assertGreater(len(drawn), 4)
+
+    def test_pipeline_as_a_method_is_the_pipeline(self):
+        scene = (TEAPOT, "--size", "160x120")
+        right = self.draw(*scene)
+        self.assertEqual(self.draw(*scene, "--method", "halfspace_s8"), right)
+        # The exact methods count the same hits, whatever they are made of.
+        for name in ("edge_fixed_s8", "walk_exact", "tiled_16", "table_exact", "warnock",
+                     "parity_exact", "shade_perspective", "project_glm"):
+            self.assertEqual(self.draw(*scene, "--method", name)[1], right[1], name)
+
+    def test_refuses_what_a_method_cannot_do(self):
+        out = self.out / "x.png"
+        for code, args in (("HS070", ("--method", "nonsense")),
+                           ("HS071", ("--method", "line_dda", "--shade", "depth")),
+                           ("HS071", ("--method", "shade_affine", "--shade", "tiles")),
+                           ("HS001", ("--method", "line_dda", "--level", "bit"))):
+            done = self.run_program("render", TEAPOT, "--out", out, *args)
+            self.assertEqual(done.returncode, 2, args)
+            self.assertRegex(done.stderr, rf"\Ahalfspace: error\[{code}\]: [^\n]+\n\Z")
+            self.assertFalse(out.exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
