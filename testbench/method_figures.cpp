@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdio>
 
 #include "method_judge.hpp"
 #include "reproducers.hpp"
@@ -34,13 +35,16 @@ void print_hits() {
   for (const Suite& s : all) fmt::print(" {} |", s.name);
   fmt::print("\n| --- |{}\n", " ---: | ---: | ---: | ---: | ---: | ---: |");
   for (const Method& m : methods::all()) {
+    // The exact ones are all 0 (tests/methods_gallery_test.cpp): one of them stands for all.
     if (m.input() == methods::InputKind::kLines || m.row > 15) continue;
+    if (m.exact && m.name != "edge_fixed_s8") continue;
     fmt::print("| {} |", m.name);
     for (const Suite& s : all) {
       const auto e = methods::hit_errors(m, s.triangles, {1024, 1024, s.first, s.first});
       fmt::print(" {:.0f} |", e.ppm());
     }
     fmt::print("\n");
+    std::fflush(stdout);
   }
 }
 

@@ -47,7 +47,7 @@ class Methods(unittest.TestCase):
             for key in ("name", "title", "input", "rule", "precision", "complexity", "use",
                         "source"):
                 self.assertTrue(m[key], f"{m['name']}: {key}")
-            self.assertTrue((TESTS.parent / m["page"]).is_file(), m["page"])
+            self.assertIn(f"`{m['name']}`", (TESTS.parent / m["page"]).read_text())
         text = self.succeed("methods")
         for m in listed:
             self.assertIn(m["name"] + " ", text)
