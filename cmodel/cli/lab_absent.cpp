@@ -17,4 +17,15 @@ const std::vector<ChartKind>& chart_kinds() { absent(); }
 
 nlohmann::ordered_json chart_data(const ChartKind&, const SceneOptions&) { absent(); }
 
+std::string stability_list() { absent(); }
+
+nlohmann::ordered_json stability_data(const std::vector<std::string>&,
+                                      const std::vector<std::string>&) {
+  absent();
+}
+
+std::string stability_table(const nlohmann::ordered_json&) { absent(); }
+
+StabilityPicture stability_picture(const std::string&, const std::string&) { absent(); }
+
 }  // namespace halfspace

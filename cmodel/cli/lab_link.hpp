@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "../framebuffer.hpp"
 #include "scene_options.hpp"
 
 namespace halfspace {
@@ -21,5 +22,24 @@ const std::vector<ChartKind>& chart_kinds();
 
 // One chart's data; scene.path empty: the seeded triangles of docs/charts. Throws Error.
 nlohmann::ordered_json chart_data(const ChartKind& kind, const SceneOptions& scene);
+
+// Every suite: name, title, reason; a line each.
+std::string stability_list();
+
+// The cells of the methods and suites named, all where a list is empty. Shows its progress. Throws
+// Error(kLabCell) for an unknown name.
+nlohmann::ordered_json stability_data(const std::vector<std::string>& methods,
+                                      const std::vector<std::string>& suites);
+
+// stability_data() for people: a line per cell.
+std::string stability_table(const nlohmann::ordered_json& data);
+
+// The worst case of a cell as a picture, and what it shows. Throws Error(kLabCell) when the method
+// does not take the suite's input, or crashes on it.
+struct StabilityPicture {
+  Image image;
+  std::string text;
+};
+StabilityPicture stability_picture(const std::string& method, const std::string& suite);
 
 }  // namespace halfspace
