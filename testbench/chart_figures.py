@@ -68,7 +68,7 @@ def efficiency(data):
     right.set(ylabel="covered pixels per clock", title="Speed at a tile per clock")
     left.legend()
     area = stored("subpixel_area.json")
-    luts = [v["luts"] / 1000 for _, v in sorted(area["tile_px"].items())] if area else []
+    luts = [v["luts"] / 1000 for _, v in sorted(area.get("tile_px", {}).items())] if area else []
     names = ["4x4 px", "8x8 px"]
     bars.bar(names[:len(luts)], luts, color=[GREEN, BLUE], width=0.55)
     for i, v in enumerate(luts):
@@ -156,28 +156,35 @@ def accumulator(data):
 
 def ladder(data):
     rows = data["levels"]
-    figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.4), gridspec_kw={"wspace": 0.3})
-    names = [r["level"] for r in rows]
+    figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.6))
     colors = [GREEN, BLUE, ORANGE, RED]
     speed = [r.get("mpixels_per_cpu_second") or 0 for r in rows]
-    left.bar(names, speed, color=colors, width=0.6)
+    least = min(s for s in speed if s)
+    left.bar([r["level"] for r in rows], speed, color=colors, width=0.6)
     for i, r in enumerate(rows):
         v = r.get("mpixels_per_cpu_second")
-        left.text(i, speed[i] or min(s for s in speed if s), f"{v:,.3g}" if v else "not in\nthis build",
-                  ha="center", va="bottom")
+        clocks = r.get("mclocks_per_cpu_second")
+        label = f"{v:,.3g}" if v else "not in\nthis build"
+        if clocks:
+            label += f"\n({clocks:,.2g} Mclk/s)"
+        left.text(i, speed[i] or least / 2, label, ha="center", va="bottom")
     left.set(yscale="log", ylabel="million covered pixels per CPU second", title="Speed",
-             ylim=(min(s for s in speed if s) / 3, max(speed) * 4))
+             ylim=(least / 4, max(speed) * 4))
+    ticks = [t for t in (0.01, 0.1, 1, 10, 100, 1000) if least / 4 <= t <= max(speed) * 4]
+    left.set_yticks(ticks, [f"{t:g}" for t in ticks])
+    left.minorticks_off()
+    left.grid(False, axis="x")
     right.axis("off")
     right.grid(False)
     cells = [[r["level"], r["coverage"], r["packets"], r["clocks"]] for r in rows]
-    table = right.table(cellText=cells, colLabels=["level", "coverage", "packets, order", "clocks"],
-                        loc="center", cellLoc="center")
+    table = right.table(cellText=cells, colLabels=["level", "coverage", "packets", "clocks"],
+                        loc="center", cellLoc="center", colWidths=[0.2, 0.22, 0.24, 0.34])
     table.auto_set_font_size(False)
     table.set_fontsize(9)
-    table.scale(1, 2.2)
+    table.scale(1, 2.4)
     right.set_title("What is right")
-    figure.suptitle("Model no more than a question needs: each level buys certainty with time"
-                    f"\n{data['scene'].split('/')[-1]}, {data['width']}x{data['height']}",
-                    fontweight="bold")
-    figure.tight_layout()
+    figure.suptitle("Model no more than a question needs"
+                    f"\n{data['scene'].split('/')[-1]}, {data['width']}x{data['height']}, "
+                    f"{data['triangles']:,} triangles", fontweight="bold")
+    figure.subplots_adjust(top=0.8, bottom=0.1, left=0.08, right=0.98)
     return figure

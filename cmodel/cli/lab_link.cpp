@@ -7,6 +7,8 @@
 
 #include "../io/error.hpp"
 #include "lab/charts.hpp"
+#include "lab/stability.hpp"
+#include "ladder_chart.hpp"
 
 namespace halfspace {
 namespace {
@@ -24,18 +26,30 @@ lab::RealScene open_real(const SceneOptions& options) {
 
 const std::vector<ChartKind>& chart_kinds() {
   static const std::vector<ChartKind> kinds{
+      {"methods", "every method: wrong pixels against time per triangle"},
       {"subpixel", "wrong pixels by subpixel bits"},
+      {"ladder", "levels of modelling: speed against what is right"},
       {"efficiency", "tile sides: tests wasted, pixels per clock"},
       {"interpolation", "reciprocal and gradient bits: attribute and depth error"},
       {"accumulator", "edge values in too few bits"},
+      {"stability", "every method over every suite, or over the scene"},
   };
   return kinds;
 }
 
 nlohmann::ordered_json chart_data(const ChartKind& kind, const SceneOptions& options) {
+  if (kind.name == "ladder") {
+    if (options.path.empty()) {
+      throw Error(ErrorCode::kChart, "--scene", "chart ladder is measured on a scene: name one");
+    }
+    return ladder_chart(options);
+  }
   std::optional<lab::RealScene> scene;
   if (!options.path.empty()) scene = open_real(options);
   const lab::RealScene* chosen = scene ? &*scene : nullptr;
+  if (kind.name == "stability")
+    return chosen ? lab::scene_stability(*chosen) : stability_data({}, {});
+  if (kind.name == "methods") return lab::methods_chart(chosen);
   if (kind.name == "subpixel") return lab::subpixel_chart(chosen);
   if (kind.name == "efficiency") return lab::efficiency_chart(chosen);
   if (kind.name == "interpolation") return lab::interpolation_chart(chosen);

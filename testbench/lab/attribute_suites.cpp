@@ -15,14 +15,16 @@ Color random_color(Random& random) {
 }
 
 // Disjoint triangles, one in each cell of a frame, with random colours and w between 1 and ratio.
-SuiteCase shaded_case(std::string name, std::uint64_t seed, int cell, int cells, double ratio) {
+// The cells are `stretch` times as wide as high.
+SuiteCase shaded_case(std::string name, std::uint64_t seed, int cell, int cells, double ratio,
+                      int stretch = 1) {
   Random random(seed);
   std::vector<Facet> out;
   for (int y = 0; y < cells; ++y) {
     for (int x = 0; x < cells; ++x) {
       const auto at = [&](double part_x, double part_y) {
         const double jitter = static_cast<double>(random.in(0, 64)) / 512;
-        return Position{on_grid((x + part_x + jitter) * cell),
+        return Position{on_grid((x + part_x + jitter) * cell * stretch),
                         on_grid((y + part_y - jitter) * cell)};
       };
       Facet f = facet_of(at(0.05, 0.2), at(0.8, 0.3), at(0.3, 0.95));
@@ -35,7 +37,7 @@ SuiteCase shaded_case(std::string name, std::uint64_t seed, int cell, int cells,
       out.push_back(f);
     }
   }
-  return area_case(std::move(name), out, {cell * cells, cell * cells});
+  return area_case(std::move(name), out, {cell * cells * stretch, cell * cells});
 }
 
 std::vector<SuiteCase> perspective_cases() {
@@ -44,7 +46,7 @@ std::vector<SuiteCase> perspective_cases() {
 }
 
 std::vector<SuiteCase> gradient_cases() {
-  return {shaded_case("64 px", 884, 64, 4, 1), shaded_case("512 px", 885, 512, 1, 1),
+  return {shaded_case("64 px", 884, 64, 4, 1), shaded_case("1536 px wide", 885, 64, 1, 1, 24),
           shaded_case("16 px", 886, 16, 12, 1)};
 }
 

@@ -44,6 +44,17 @@ double color_error(const methods::Facet& f, const methods::Color& found, oracle:
   return worst;
 }
 
+std::uint64_t not_finite(const Canvas& canvas) {
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < canvas.hits().size(); ++i) {
+    if (canvas.hits()[i] == 0) continue;
+    bool finite = std::isfinite(canvas.depth()[i]);
+    for (const double level : canvas.color()[i]) finite = finite && std::isfinite(level);
+    count += finite ? 0u : 1u;
+  }
+  return count;
+}
+
 void judge_attribute(const SuiteCase& one, const Canvas& canvas, CasePixels& out) {
   const std::vector<int> owners = true_owners(one);
   for (std::size_t i = 0; i < owners.size(); ++i) {
@@ -51,7 +62,6 @@ void judge_attribute(const SuiteCase& one, const Canvas& canvas, CasePixels& out
     ++out.result.covered;
     const methods::Facet& f = one.drawing.facets[static_cast<std::size_t>(owners[i])];
     const double error = color_error(f, canvas.color()[i], centre(one, i));
-    out.result.not_finite += std::isfinite(error) ? 0u : 1u;
     if (std::isfinite(error)) out.result.greatest = std::max(out.result.greatest, error);
     if (error > kAttributeBound) out.wrong[i] = Wrong::kValue;
   }
@@ -84,7 +94,6 @@ void judge_depth(const SuiteCase& one, const Canvas& canvas, CasePixels& out) {
     if (truth[i] < 0) continue;
     ++out.result.covered;
     const double found = canvas.color()[i][0];
-    out.result.not_finite += std::isfinite(found) ? 0u : 1u;
     // The surfaces' levels are 128 apart.
     if (!(std::abs(found - truth[i]) < 64)) out.wrong[i] = Wrong::kValue;
   }
@@ -113,12 +122,13 @@ double CaseResult::ppm() const {
 CasePixels case_pixels(const Method& method, const Suite& suite, const SuiteCase& one,
                        int snapped_bits) {
   CasePixels out;
-  Canvas canvas = canvas_for(one, suite.judge != Judge::kHits && method.attributes);
+  Canvas canvas = canvas_for(one, method.attributes);
   methods::draw(method, one.drawing, canvas);
   out.result.hung = canvas.exhausted();
   out.truth = true_hits_snapped(one, method.input(), snapped_bits);
   out.wrong.assign(out.truth.size(), Wrong::kNo);
   const bool by_hits = suite.judge == Judge::kHits;
+  if (canvas.wants_attributes()) out.result.not_finite = not_finite(canvas);
   if (suite.judge == Judge::kAttribute) judge_attribute(one, canvas, out);
   if (suite.judge == Judge::kDepth) judge_depth(one, canvas, out);
   if (suite.judge == Judge::kOrder) judge_order(method, one, canvas, out);

@@ -61,15 +61,15 @@ std::vector<SuiteCase> needle_fan() {
                     facets_of(fan(256.25, 256.75, 250, 2000, kShapeGrid)), {512, 512})};
 }
 
-// Triangles without area over two that fill the frame.
+// Triangles without area, then two that fill the frame.
 std::vector<SuiteCase> zero_area() {
   std::vector<Facet> out;
-  add_quad(out, {0, 0}, {128, 0}, {128, 128}, {0, 128});
   const std::vector<std::array<Position, 3>> flat{
       {{{10.5, 10.5}, {50.5, 50.5}, {90.5, 90.5}}}, {{{20.5, 8.5}, {20.5, 99.5}, {20.5, 40.5}}},
       {{{8.5, 70.5}, {120.5, 70.5}, {30.5, 70.5}}}, {{{64.5, 64.5}, {64.5, 64.5}, {64.5, 64.5}}},
       {{{5.5, 100.5}, {99.5, 6.5}, {5.5, 100.5}}},  {{{30.25, 17.5}, {60.75, 78.5}, {45.5, 48}}}};
   for (const auto& p : flat) out.push_back(facet_of(p[0], p[1], p[2]));
+  add_quad(out, {0, 0}, {128, 0}, {128, 128}, {0, 128});
   return {area_case("collinear and repeated vertices", out, {128, 128})};
 }
 

@@ -12,6 +12,7 @@
 
 #include "geometry.hpp"
 #include "rasterizer.hpp"
+#include "suite_shapes.hpp"
 
 namespace halfspace::lab {
 namespace {
@@ -220,6 +221,24 @@ nlohmann::ordered_json stability_json(const std::vector<const Method*>& methods,
     }
   }
   return json;
+}
+
+nlohmann::ordered_json scene_stability(const RealScene& scene) {
+  Suite suite;
+  suite.name = "scene";
+  suite.title = scene.name;
+  suite.reason = "the scene itself";
+  suite.exact = false;
+  suite.make = [&scene] {
+    std::vector<Facet> facets;
+    for (const oracle::Corners& t : scene.triangles) {
+      facets.push_back(facet_of({t[0].x, t[0].y}, {t[1].x, t[1].y}, {t[2].x, t[2].y}));
+    }
+    return std::vector<SuiteCase>{area_case(scene.name, facets, {scene.width, scene.height})};
+  };
+  std::vector<const Method*> methods;
+  for (const Method& method : lab_methods()) methods.push_back(&method);
+  return stability_json(methods, {&suite}, [] {});
 }
 
 }  // namespace halfspace::lab

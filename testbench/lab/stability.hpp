@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "case_pixels.hpp"
+#include "real_scene.hpp"
 #include "suites.hpp"
 
 namespace halfspace::lab {
@@ -36,6 +37,9 @@ struct Cell {
 
 // Empty when the method does not take what the suite has (its kind of input, or attributes).
 std::optional<Cell> run_cell(const methods::Method& method, const Suite& suite);
+
+// One column: the scene's triangles under every method.
+nlohmann::ordered_json scene_stability(const RealScene& scene);
 
 // progress: called once a cell.
 nlohmann::ordered_json stability_json(const std::vector<const methods::Method*>& methods,
