@@ -52,9 +52,12 @@ VectorMeta meta_of(const VectorsRequest& request) {
 }
 
 void require_request(const VectorsRequest& request, const VectorMeta& meta) {
-  const int sources = (request.in.empty() ? 0 : 1) + (request.generate.empty() ? 0 : 1);
-  if (sources != 1) refuse("", "give one source: a file, or --generate SHAPES (try --help)");
-  if (request.out.empty() && request.bench.empty()) {
+  const int sources = (request.in.empty() ? 0 : 1) + (request.generate.empty() ? 0 : 1) +
+                      (request.goal.empty() ? 0 : 1) + (request.from.empty() ? 0 : 1);
+  if (sources != 1) {
+    refuse("", "give one source: a file, --generate, --goal or --from (try --help)");
+  }
+  if (request.goal.empty() && request.out.empty() && request.bench.empty()) {
     refuse("", "give --out FILE or --bench FOLDER (try --help)");
   }
   if (!(request.stall >= 0 && request.stall <= 0.95)) {
@@ -94,13 +97,19 @@ Outputs outputs_of(const VectorsRequest& request, const VectorSet& set) {
 
 int run_vectors(const VectorsRequest& request) {
   if (!request.check.empty()) return check_vector_files(request.check);
-  const VectorMeta meta = meta_of(request);
+  if (!request.bins.empty()) return report_bins_of(request);
+  std::vector<PlacedVectors> read;
+  if (!request.from.empty()) read = read_vectors(request.from);
+  const VectorMeta meta = read.empty() ? meta_of(request) : read.front().set.meta;
   require_request(request, meta);
   for (const std::string& out : request.out) {
     vector_format(out, request.format);
     check_writable(out);
   }
-  const VectorSet set = make_vectors(request, meta);
+  const GoalResult made = !read.empty()          ? GoalResult{std::move(read.front().set), true}
+                          : request.goal.empty() ? GoalResult{make_vectors(request, meta), true}
+                                                 : make_goal(request, meta);
+  const VectorSet& set = made.set;
   const VectorCounts counts = count_records(set);
   if (counts.inputs == 0 || counts.outputs == 0) {
     throw Error(ErrorCode::kVectorsEmpty, request.in,
@@ -115,7 +124,7 @@ int run_vectors(const VectorsRequest& request) {
   for (const auto& [folder, files] : outputs) write_files(folder, files);
   fmt::print("{}: {} runs, {} inputs, {} outputs\n", stage_name(meta.stage), counts.runs,
              counts.inputs, counts.outputs);
-  return 0;
+  return made.reached ? 0 : 1;
 }
 
 }  // namespace
@@ -158,10 +167,19 @@ Action add_vectors_command(CLI::App& program) {
   add_cull_option(*command, o->cull);
   o->config.add_to(*command);
   o->camera.add_to(*command);
+  command
+      ->add_option("--goal", o->goal,
+                   "The fewest triangles found that hit this part of the reachable bins")
+      ->type_name("PERCENT");
+  command->add_option("--tries", o->tries, "Triangles that --goal draws at most")
+      ->capture_default_str();
+  command->add_option("--bins", o->bins, "Report the bins that the triangles of a file hit");
+  command->add_flag("--list-bins", o->list_bins, "Report the bins that are hit too");
   command->add_option("--check", o->check,
                       "Build every expected result of a file or manifest again and compare");
   command->footer(
-      "Exit status: 0 done or equal, 1 --check found a difference, 2 bad input.\n"
+      "Exit status: 0 done, equal or goal reached; 1 --check found a difference, or bins are "
+      "missed; 2 bad input.\n"
       "Example: halfspace vectors --generate all --count 500 --config tiny --bench out/bench");
   return [o] { return run_vectors(*o); };
 }
