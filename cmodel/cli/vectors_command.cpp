@@ -167,11 +167,14 @@ Action add_vectors_command(CLI::App& program) {
   add_cull_option(*command, o->cull);
   o->config.add_to(*command);
   o->camera.add_to(*command);
+  command->add_option("--from", o->from, "Vectors to write again, in other formats or as a bench");
   command
       ->add_option("--goal", o->goal,
                    "The fewest triangles found that hit this part of the reachable bins")
       ->type_name("PERCENT");
   command->add_option("--tries", o->tries, "Triangles that --goal draws at most")
+      ->capture_default_str();
+  command->add_option("--times", o->times, "How often --goal hits each bin, where it can")
       ->capture_default_str();
   command->add_option("--bins", o->bins, "Report the bins that the triangles of a file hit");
   command->add_flag("--list-bins", o->list_bins, "Report the bins that are hit too");

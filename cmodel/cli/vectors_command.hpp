@@ -35,6 +35,7 @@ struct VectorsRequest {
   int max_tiles = 256;
   int case_id = -1;
   std::uint64_t tries = 1000000;  // draws of --goal
+  std::uint64_t times = 1;        // hits of each bin that --goal keeps
   bool list_bins = false;
   CameraArguments camera;
   ConfigOptions config;

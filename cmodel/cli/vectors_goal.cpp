@@ -71,15 +71,16 @@ bool reasons_hold(const BinModel& model, const BinSet& hits) {
   return true;
 }
 
-VectorSet set_of(const std::vector<VectorUnit>& frames, const VectorMeta& meta, double stall) {
+VectorSet set_of(const std::vector<VectorRun>& runs, const VectorMeta& meta, double stall) {
   VectorBuilder builder(meta);
   StimulusMaker stimulus(meta);
   Random random(meta.seed);
-  std::uint64_t runs = 0;
-  for (const VectorUnit& frame : frames) {
-    stimulus.begin_frame(frame.frame);
-    builder.run(frame.frame, static_cast<std::uint32_t>(stall * 0x1p32), meta.seed + runs++);
-    for (const Triangle& triangle : frame.triangles) {
+  const auto probability = static_cast<std::uint32_t>(stall * 0x1p32);
+  std::uint64_t number = 0;
+  for (const VectorRun& run : runs) {
+    stimulus.begin_frame(run.frame);
+    builder.run(run.frame, run.stalled ? probability : 0, meta.seed + number++);
+    for (const Triangle& triangle : run.triangles) {
       stimulus.draw({triangle, random_attributes(random, meta.config)},
                     [&builder](const Values& ports) { builder.add(ports); });
     }
@@ -91,6 +92,7 @@ VectorSet set_of(const std::vector<VectorUnit>& frames, const VectorMeta& meta, 
 
 GoalResult make_goal(const VectorsRequest& request, VectorMeta meta) {
   const double goal = parse_goal(request.goal);
+  if (request.times < 1) throw Error(ErrorCode::kVectorRequest, "--times", "must be 1 or more");
   const BinModel model(meta.config);
   meta.source = "goal";
   meta.source_name = fmt::format("{:g}%", 100 * goal);
@@ -98,12 +100,12 @@ GoalResult make_goal(const VectorsRequest& request, VectorMeta meta) {
   {
     Progress progress("hitting bins", model.reachable());
     std::size_t before = 0;
-    units = search_goal(model, goal, request.tries, meta.seed, [&](std::size_t hit) {
+    units = search_goal(model, goal, request.times, request.tries, meta.seed, [&](std::size_t hit) {
       progress.advance(hit - before);
       before = hit;
     });
   }
-  units = minimal_units(std::move(units), model);
+  units = minimal_units(units, request.times, model);
   BinSet hits = model.none();
   std::size_t triangles = 0;
   for (const SampledUnit& unit : units) {
@@ -111,11 +113,11 @@ GoalResult make_goal(const VectorsRequest& request, VectorMeta meta) {
     triangles += unit.unit.triangles.size();
   }
   const std::size_t hit = report(model, hits, request.list_bins);
-  const std::vector<VectorUnit> frames = by_frame(units, meta.config);
-  fmt::print("{} triangles in {} frames\n", triangles, frames.size());
+  const std::vector<VectorRun> runs = by_frame(units, request.stall > 0, meta.config);
+  fmt::print("{} triangles in {} runs\n", triangles, runs.size());
   const bool reached =
       static_cast<double>(hit) >= goal * static_cast<double>(model.reachable()) - 1e-9;
-  return {set_of(frames, meta, request.stall), reached && reasons_hold(model, hits)};
+  return {set_of(runs, meta, request.stall), reached && reasons_hold(model, hits)};
 }
 
 int report_bins_of(const VectorsRequest& request) {

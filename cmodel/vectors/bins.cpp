@@ -89,10 +89,10 @@ std::size_t BinSet::count() const {
   return count;
 }
 
-std::size_t BinSet::count_beyond(const BinSet& other) const {
+std::size_t BinSet::count_common(const BinSet& other) const {
   std::size_t count = 0;
   for (std::size_t i = 0; i < words_.size(); ++i) {
-    count += static_cast<std::size_t>(std::popcount(words_[i] & ~other.words_[i]));
+    count += static_cast<std::size_t>(std::popcount(words_[i] & other.words_[i]));
   }
   return count;
 }

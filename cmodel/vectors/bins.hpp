@@ -27,8 +27,9 @@ class BinSet {
   bool has(std::size_t bin) const { return (words_[bin / 64] >> (bin % 64) & 1u) != 0; }
   void add(const BinSet& other);
   std::size_t count() const;
-  // Bins of this set that are not in `other`.
-  std::size_t count_beyond(const BinSet& other) const;
+  void remove(std::size_t bin) { words_[bin / 64] &= ~(std::uint64_t{1} << (bin % 64)); }
+  // Bins of both sets.
+  std::size_t count_common(const BinSet& other) const;
 
  private:
   std::vector<std::uint64_t> words_;

@@ -7,8 +7,8 @@
 namespace halfspace {
 namespace {
 
-// How often a bin is met before another unit that hits it is of no interest.
-constexpr std::size_t kEnough = 12;
+// How often a bin is met, beyond what is asked, before another unit that hits it is of no interest.
+constexpr std::size_t kSpare = 11;
 
 BinSet reachable_set(const BinModel& model) {
   BinSet set = model.none();
@@ -24,10 +24,11 @@ bool same_frame(const FrameState& a, const FrameState& b) {
 
 }  // namespace
 
-std::vector<SampledUnit> search_goal(const BinModel& model, double goal, std::uint64_t tries,
-                                     std::uint64_t seed,
+std::vector<SampledUnit> search_goal(const BinModel& model, double goal, std::size_t times,
+                                     std::uint64_t tries, std::uint64_t seed,
                                      const std::function<void(std::size_t)>& progress) {
   Random random(seed);
+  const std::size_t plenty = times + kSpare;
   const BinSet wanted = reachable_set(model);
   const auto needed =
       static_cast<std::size_t>(goal * static_cast<double>(wanted.count()) + 0.999999);
@@ -42,10 +43,10 @@ std::vector<SampledUnit> search_goal(const BinModel& model, double goal, std::ui
     for (std::size_t bin = 0; bin < met.size(); ++bin) {
       if (!unit.hits.has(bin)) continue;
       ++met[bin];
-      interesting = interesting || met[bin] <= kEnough;
+      interesting = interesting || met[bin] <= plenty;
       if (!wanted.has(bin)) continue;
       hit += met[bin] == 1 ? 1u : 0u;
-      enough += met[bin] == kEnough ? 1u : 0u;
+      enough += met[bin] == plenty ? 1u : 0u;
     }
     if (interesting) kept.push_back(std::move(unit));
     progress(hit);
@@ -53,54 +54,75 @@ std::vector<SampledUnit> search_goal(const BinModel& model, double goal, std::ui
   return kept;
 }
 
-std::vector<SampledUnit> minimal_units(std::vector<SampledUnit> units, const BinModel& model) {
-  BinSet covered = model.none();
+std::vector<SampledUnit> minimal_units(const std::vector<SampledUnit>& units, std::size_t times,
+                                       const BinModel& model) {
+  const std::size_t bins = model.bins().size();
+  const auto for_each_hit = [bins](const SampledUnit& unit, const auto& visit) {
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+      if (unit.hits.has(bin)) visit(bin);
+    }
+  };
   // Unreachable bins, should one be hit, count as well: the report must show them.
-  std::vector<SampledUnit> chosen;
-  for (;;) {
-    std::size_t best = units.size(), best_new = 0, best_size = 1;
-    for (std::size_t i = 0; i < units.size(); ++i) {
-      const std::size_t fresh = units[i].hits.count_beyond(covered);
-      const std::size_t size = units[i].unit.triangles.size();
+  std::vector<std::size_t> wanted(bins), met(bins);
+  for (const SampledUnit& unit : units) {
+    for_each_hit(unit, [&](std::size_t bin) { wanted[bin] = std::min(times, wanted[bin] + 1); });
+  }
+  BinSet open = model.none();  // bins that want more
+  for (std::size_t bin = 0; bin < bins; ++bin) {
+    if (wanted[bin] > 0) open.add(bin);
+  }
+  std::vector<const SampledUnit*> left, chosen;
+  for (const SampledUnit& unit : units) left.push_back(&unit);
+  while (!left.empty()) {
+    std::size_t best = 0, best_new = 0, best_size = 1;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      const std::size_t fresh = left[i]->hits.count_common(open);
+      const std::size_t size = left[i]->unit.triangles.size();
       if (fresh * best_size > best_new * size) best = i, best_new = fresh, best_size = size;
     }
-    if (best == units.size()) break;
-    covered.add(units[best].hits);
-    chosen.push_back(std::move(units[best]));
-    units.erase(units.begin() + static_cast<std::ptrdiff_t>(best));
-    std::erase_if(units, [&](const SampledUnit& u) { return u.hits.count_beyond(covered) == 0; });
+    if (best_new == 0) break;
+    chosen.push_back(left[best]);
+    for_each_hit(*left[best], [&](std::size_t bin) {
+      if (++met[bin] == wanted[bin]) open.remove(bin);
+    });
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(best));
+    std::erase_if(left, [&](const SampledUnit* u) { return u->hits.count_common(open) == 0; });
   }
+  std::vector<SampledUnit> out;
   for (std::size_t i = chosen.size(); i-- > 0;) {
-    BinSet others = model.none();
-    for (std::size_t j = 0; j < chosen.size(); ++j) {
-      if (j != i) others.add(chosen[j].hits);
-    }
-    if (chosen[i].hits.count_beyond(others) == 0) {
-      chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(i));
+    bool needless = true;
+    for_each_hit(*chosen[i],
+                 [&](std::size_t bin) { needless = needless && met[bin] > wanted[bin]; });
+    if (needless) {
+      for_each_hit(*chosen[i], [&](std::size_t bin) { --met[bin]; });
+    } else {
+      out.insert(out.begin(), *chosen[i]);
     }
   }
-  return chosen;
+  return out;
 }
 
-std::vector<VectorUnit> by_frame(const std::vector<SampledUnit>& units, const Config& config) {
-  std::vector<VectorUnit> frames;
-  for (const SampledUnit& unit : units) {
-    const auto found = std::find_if(frames.begin(), frames.end(), [&](const VectorUnit& frame) {
-      return same_frame(frame.frame, unit.unit.frame);
+std::vector<VectorRun> by_frame(const std::vector<SampledUnit>& units, bool stalls,
+                                const Config& config) {
+  std::vector<VectorRun> runs;
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    const VectorUnit& unit = units[i].unit;
+    const bool stalled = stalls && i % 2 == 1;
+    const auto found = std::find_if(runs.begin(), runs.end(), [&](const VectorRun& run) {
+      return same_frame(run.frame, unit.frame) && run.stalled == stalled;
     });
-    VectorUnit& frame =
-        found != frames.end() ? *found : frames.emplace_back(VectorUnit{unit.unit.frame, {}});
-    frame.triangles.insert(frame.triangles.end(), unit.unit.triangles.begin(),
-                           unit.unit.triangles.end());
+    VectorRun& run =
+        found != runs.end() ? *found : runs.emplace_back(VectorRun{unit.frame, stalled, {}});
+    run.triangles.insert(run.triangles.end(), unit.triangles.begin(), unit.triangles.end());
   }
+  const std::uint64_t tags = std::uint64_t{1} << config.tag_bits;
   std::uint64_t number = 0;
-  for (VectorUnit& frame : frames) {
-    for (Triangle& triangle : frame.triangles) {
-      triangle.tag =
-          static_cast<std::uint32_t>(number++ & ((std::uint64_t{1} << config.tag_bits) - 1));
+  for (VectorRun& run : runs) {
+    for (Triangle& triangle : run.triangles) {
+      triangle.tag = static_cast<std::uint32_t>(number++ & (tags - 1));
     }
   }
-  return frames;
+  return runs;
 }
 
 }  // namespace halfspace

@@ -1,0 +1,125 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""vector_mutants.py HALFSPACE VECTORS: do these vectors, alone, find faults put into the RTL?
+
+yosys puts N faults (`mutate`) into the flattened netlist of the vectors' stage, each switched on by
+a number at run time. Verilator builds the netlist once with the bench that `halfspace vectors --from
+VECTORS --bench` writes, and plays it once for each fault. A fault is killed when the bench fails.
+Prints killed / total and the survivors; exits with 1 when the share is below --least or when the
+design without a fault fails.
+
+--bits-only compares packets and their order, not clocks.
+"""
+import argparse
+import concurrent.futures
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+RTL = ROOT / "rtl"
+
+
+def run(command, folder, check=True):
+    done = subprocess.run([str(c) for c in command], cwd=folder, capture_output=True, text=True)
+    if check and done.returncode != 0:
+        sys.exit(f"vector_mutants: {command[0]} failed:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+    return done
+
+
+def make_netlist(folder, top, count, seed, size):
+    """netlist.v with all faults in it; the list of them, fault n being line n - 1."""
+    files = [folder / "hs_config_pkg.sv", *(RTL / f for f in (RTL / "rtl.f").read_text().split())]
+    read = (f"read_verilog -sv {' '.join(map(str, files))}; hierarchy -check -top {top}; proc; "
+            "flatten; opt -full; wreduce; peepopt; opt; clean -purge; rename -top mutated; "
+            "write_ilang design.il")
+    run(["yosys", "-q", "-p", read], folder)
+    run(["yosys", "-q", "-p", f"read_ilang design.il; mutate -list {count} -seed {seed} -none "
+         f"-o faults.txt {size}"], folder)
+    faults = [line for line in (folder / "faults.txt").read_text().splitlines()
+              if line.startswith("mutate") and "-mode none" not in line]
+    script = ["read_ilang design.il"]
+    for number, fault in enumerate(faults, 1):
+        script.append(fault.replace("mutate ", f"mutate -ctrl mutsel 32 {number} ", 1))
+    script += ["rename mutated " + top, "opt_clean", "write_verilog -noattr netlist.v"]
+    (folder / "mutate.ys").write_text("\n".join(script) + "\n")
+    run(["yosys", "-q", "-s", "mutate.ys"], folder)
+    return faults
+
+
+def build(folder):
+    if shutil.which("ccache"):
+        import os
+        os.environ["OBJCACHE"] = "ccache"
+    run(["verilator", "--binary", "--timing", "-O3", "-CFLAGS", "-O1", "--x-assign", "unique",
+         "--x-initial", "unique", "-Wno-fatal", "-Wno-lint", "-Wno-style", "-DHS_NETLIST",
+         "-DHS_MUTSEL", "--top-module", "hs_vectors_tb", "--Mdir", "build", "-o", "bench", "-j", "2",
+         "netlist.v", "hs_vectors_dut.sv", "hs_vectors_tb.sv"], folder)
+
+
+def play(folder, number, options):
+    """(passed, why not)"""
+    done = run([folder / "build/bench", f"+mutsel={number}", "+verilator+seed+7",
+                "+verilator+rand+reset+2", *options], folder, check=False)
+    text = done.stdout + done.stderr
+    if done.returncode == 0 and re.search("^PASS: ", text, re.M):
+        return True, ""
+    why = re.search("^FAIL: ([^:]*)", text, re.M)
+    return False, why[1].strip() if why else "ended early"
+
+
+def describe(fault):
+    """What the fault does, without yosys's options that only repeat it."""
+    words = dict(re.findall(r"-(mode|cell|port|portbit|wire|wirebit|src) (\S+)", fault))
+    place = words.get("wire", words.get("cell", "")).lstrip("\\")
+    return (f"{words.get('mode')} {place}[{words.get('wirebit', '-')}] "
+            f"{words.get('port', '').lstrip(chr(92))} {words.get('cell', '')}".strip())
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("halfspace")
+    parser.add_argument("vectors", help="file or manifest that `halfspace vectors` wrote")
+    parser.add_argument("--count", type=int, default=1000, help="faults")
+    parser.add_argument("--seed", type=int, default=1, help="of the choice of faults")
+    parser.add_argument("--least", type=float, default=0, help="share that must be killed, 0..1")
+    parser.add_argument("--bits-only", action="store_true")
+    parser.add_argument("--survivors", help="file for the survivors, a line each")
+    parser.add_argument("--jobs", type=int, default=2)
+    o = parser.parse_args()
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        run([pathlib.Path(o.halfspace).resolve(), "vectors", "--from",
+             pathlib.Path(o.vectors).resolve(), "--bench", folder], folder)
+        manifest = json.loads((folder / "manifest.json").read_text())
+        faults = make_netlist(folder, "hs_" + manifest["stage"], o.count, o.seed, "")
+        build(folder)
+        options = ["+bits_only"] if o.bits_only else []
+        clean, why = play(folder, 0, options)
+        if not clean:
+            sys.exit(f"vector_mutants: the design without a fault fails: {why}")
+        with concurrent.futures.ThreadPoolExecutor(o.jobs) as pool:
+            results = list(pool.map(lambda n: play(folder, n, options), range(1, len(faults) + 1)))
+    survivors = [f"{n} {fault}" for n, (fault, (passed, _)) in enumerate(zip(faults, results), 1)
+                 if passed]
+    killed = len(faults) - len(survivors)
+    counts = manifest["counts"]
+    print(f"{pathlib.Path(o.vectors).name}: {counts['inputs']} inputs, {counts['outputs']} outputs: "
+          f"{killed} of {len(faults)} faults killed ({100 * killed / max(len(faults), 1):.1f} %)")
+    reasons = {}
+    for passed, why in results:
+        if not passed:
+            reasons[why] = reasons.get(why, 0) + 1
+    for why, count in sorted(reasons.items(), key=lambda item: -item[1]):
+        print(f"  {count:5} by: {why}")
+    if o.survivors:
+        pathlib.Path(o.survivors).write_text("\n".join(survivors) + "\n")
+    sys.exit(0 if faults and killed >= o.least * len(faults) else 1)
+
+
+if __name__ == "__main__":
+    main()
