@@ -36,7 +36,7 @@ std::vector<SampledUnit> search_goal(const BinModel& model, double goal, std::si
   std::size_t hit = 0, enough = 0;
   std::vector<SampledUnit> kept;
   for (std::uint64_t i = 0; i < tries; ++i) {
-    if (hit >= needed && enough >= hit) break;
+    if (hit >= needed && (goal < 1 || enough >= hit)) break;
     SampledUnit unit{directed_unit(random, model.config()), model.none()};
     model.sample(unit.unit.frame, unit.unit.triangles, unit.hits);
     bool interesting = false;

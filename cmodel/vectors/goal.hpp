@@ -16,9 +16,10 @@ struct SampledUnit {
 };
 
 // Draws directed units until the reachable bins hit are at least `goal` (0..1) of all reachable
-// ones and every bin hit has been met `times` times and more, or `tries` units were drawn. The
-// units kept hit all that was hit; the same seed gives the same units.
+// ones, and, for a goal of 1, every bin was met often enough to choose from, or until `tries` units
+// were drawn. The units kept hit all that was hit; the same seed gives the same units.
 //
+//   times     how often minimal_units() will want each bin
 //   progress  called after each draw with the reachable bins hit so far
 std::vector<SampledUnit> search_goal(const BinModel& model, double goal, std::size_t times,
                                      std::uint64_t tries, std::uint64_t seed,
