@@ -120,7 +120,8 @@ class Vectors(unittest.TestCase):
         self.make()
         for name in ("v.csv", "v.jsonl", "v.manifest.json"):
             self.succeed("--from", self.out / name, "--out", self.out / "again.hsv")
-            self.assertEqual((self.out / "again.hsv").read_bytes(), (self.out / "v.hsv").read_bytes())
+            self.assertEqual((self.out / "again.hsv").read_bytes(),
+                             (self.out / "v.hsv").read_bytes())
 
     # --- what --check finds -----------------------------------------------------------------------
 
@@ -133,7 +134,8 @@ class Vectors(unittest.TestCase):
         cells[mask] = hex(int(cells[mask], 16) ^ 8)
         lines[at] = ",".join(cells)
         (self.out / "v.csv").write_text("\n".join(lines) + "\n")
-        self.differs(self.out / "v.csv", f"record {at - 2}: out 0: field=mask[0] file={cells[mask]}")
+        self.differs(self.out / "v.csv",
+                     f"record {at - 2}: out 0: field=mask[0] file={cells[mask]}")
 
     def test_a_changed_clock_is_found(self):
         self.make()
@@ -162,7 +164,7 @@ class Vectors(unittest.TestCase):
         for text in ("", lines[0], "".join(lines[:-1]), csv[:-1], csv.replace("in,", "inn,", 1),
                      csv.replace("kind,", "king,", 1), csv.replace('"samples":1', '"samples":2'),
                      csv.replace('"samples":1', '"samples":3'), csv.replace('"seed"', '"sead"'),
-                     "".join(lines[:2]) + lines[2].replace(",512,", ",70000,") + "".join(lines[3:])):
+                     "".join([*lines[:2], lines[2].replace(",512,", ",70000,"), *lines[3:]])):
             broken.write_text(text)
             if text != csv:
                 self.refuse("HS091", "--check", broken)
@@ -209,8 +211,10 @@ class Vectors(unittest.TestCase):
         self.refuse("HS090", "--generate", "round", "--out", csv, says="sliver")
         self.refuse("HS090", *source, "--out", csv, "--stall", "1")
         self.refuse("HS090", *source, "--out", csv, "--node-level", "1")
-        self.refuse("HS090", *source, "--out", csv, "--stage", "tile_traversal", "--node-level", "3")
-        self.refuse("HS090", *source, "--bench", self.out / "b", "--stage", "depth_test", says="RTL")
+        self.refuse("HS090", *source, "--out", csv, "--stage", "tile_traversal", "--node-level",
+                    "4")
+        self.refuse("HS090", *source, "--bench", self.out / "b", "--stage", "depth_test",
+                    says="RTL")
         self.refuse("HS090", "--goal", "0", "--out", csv)
         self.refuse("HS090", "--goal", "101%", "--out", csv)
         self.refuse("HS010", "--check", self.out / "absent.csv")

@@ -108,11 +108,50 @@ TEST(Vectors, CheckFindsALostAndAnAddedOutput) {
     if (set.records[i].kind != RecordKind::kOut) continue;
     VectorSet lost = set;
     lost.records.erase(lost.records.begin() + static_cast<std::ptrdiff_t>(i));
-    EXPECT_TRUE(check_vectors(lost)) << "record " << i;
+    const auto gone = check_vectors(lost);
+    ASSERT_TRUE(gone) << "record " << i;
+    EXPECT_GE(gone->record, i) << gone->text;  // the output, not the counts of its run
     VectorSet added = set;
     added.records.insert(added.records.begin() + static_cast<std::ptrdiff_t>(i), set.records[i]);
-    EXPECT_TRUE(check_vectors(added)) << "record " << i;
+    const auto more = check_vectors(added);
+    ASSERT_TRUE(more) << "record " << i;
+    EXPECT_GE(more->record, i) << more->text;
   }
+}
+
+struct Clocks {
+  std::vector<std::int64_t> accepts, tiles;
+  void accepted(std::uint64_t clock) { accepts.push_back(static_cast<std::int64_t>(clock)); }
+  void setup(std::uint64_t, const SetupTriangle&) {}
+  void node(int, std::uint64_t, const Node&) {}
+  void tile(std::uint64_t clock, const CoverageTile&) {
+    tiles.push_back(static_cast<std::int64_t>(clock));
+  }
+};
+
+TEST(Vectors, ClocksAreThoseOfTheCycleModel) {
+  const std::uint32_t stall = 1u << 30;
+  const VectorSet set = make_set(VectorStage::kRasterizer, kTiny, 40, stall);
+  std::optional<CycleModel> model;
+  Clocks expected, found;
+  std::int64_t last_accept = -1;
+  for (const VectorRecord& record : set.records) {
+    if (record.kind == RecordKind::kRun) {
+      model.emplace(frame_of(record.values), kTiny, Stalls(0.25, kSeed));
+      last_accept = -1;
+    } else if (record.kind == RecordKind::kIn) {
+      EXPECT_GT(record.values[kInOffer], last_accept);
+      EXPECT_GE(record.values[kInAccept], record.values[kInOffer]);
+      last_accept = record.values[kInAccept];
+      found.accepts.push_back(last_accept);
+      model->draw(triangle_of(Values(record.values.begin() + 3, record.values.end())), expected);
+    } else {
+      found.tiles.push_back(record.values[0]);
+    }
+  }
+  EXPECT_EQ(found.accepts, expected.accepts);
+  EXPECT_EQ(found.tiles, expected.tiles);
+  EXPECT_GT(found.tiles.size(), 50u);
 }
 
 // The RTL's ports, as the bench cuts them out of a word.

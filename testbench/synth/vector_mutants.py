@@ -3,16 +3,19 @@
 """vector_mutants.py HALFSPACE VECTORS: do these vectors, alone, find faults put into the RTL?
 
 yosys puts N faults (`mutate`) into the flattened netlist of the vectors' stage, each switched on by
-a number at run time. Verilator builds the netlist once with the bench that `halfspace vectors --from
-VECTORS --bench` writes, and plays it once for each fault. A fault is killed when the bench fails.
-Prints killed / total and the survivors; exits with 1 when the share is below --least or when the
-design without a fault fails.
+a number at run time. Verilator builds the netlist once with the bench that `halfspace vectors
+--from VECTORS --bench` writes, and plays it once for each fault. A fault is killed when the bench
+fails.
+Prints killed / total, and how many of the survivors are on bits that nothing reads, so that no test
+could find them; exits with 1 when the share is below --least or when the design without a fault
+fails.
 
 --bits-only compares packets and their order, not clocks.
 """
 import argparse
 import concurrent.futures
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -20,26 +23,28 @@ import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-RTL = ROOT / "rtl"
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from rtl_sources import RTL, listed
 
 
 def run(command, folder, check=True):
     done = subprocess.run([str(c) for c in command], cwd=folder, capture_output=True, text=True)
     if check and done.returncode != 0:
-        sys.exit(f"vector_mutants: {command[0]} failed:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+        sys.exit(f"vector_mutants: {command[0]} failed:\n"
+                 f"{done.stdout[-2000:]}{done.stderr[-2000:]}")
     return done
 
 
-def make_netlist(folder, top, count, seed, size):
+def make_netlist(folder, top, count, seed):
     """netlist.v with all faults in it; the list of them, fault n being line n - 1."""
-    files = [folder / "hs_config_pkg.sv", *(RTL / f for f in (RTL / "rtl.f").read_text().split())]
+    files = [folder / "hs_config_pkg.sv", *listed(RTL, "rtl.f")]
     read = (f"read_verilog -sv {' '.join(map(str, files))}; hierarchy -check -top {top}; proc; "
             "flatten; opt -full; wreduce; peepopt; opt; clean -purge; rename -top mutated; "
-            "write_ilang design.il")
+            "write_ilang design.il; write_json design.json")
     run(["yosys", "-q", "-p", read], folder)
-    run(["yosys", "-q", "-p", f"read_ilang design.il; mutate -list {count} -seed {seed} -none "
-         f"-o faults.txt {size}"], folder)
+    run(["yosys", "-q", "-p", f"read_ilang design.il; mutate -list {count} -seed {seed} "
+         "-o faults.txt"], folder)
     faults = [line for line in (folder / "faults.txt").read_text().splitlines()
               if line.startswith("mutate") and "-mode none" not in line]
     script = ["read_ilang design.il"]
@@ -51,14 +56,40 @@ def make_netlist(folder, top, count, seed, size):
     return faults
 
 
+def unread_bits(folder):
+    """Bits of cell outputs that no cell and no port reads: a test whether a fault is on one."""
+    module = json.loads((folder / "design.json").read_text())["modules"]["mutated"]
+    read = {bit for port in module["ports"].values() for bit in port["bits"]}
+    for cell in module["cells"].values():
+        for port, bits in cell["connections"].items():
+            if cell["port_directions"][port] == "input":
+                read.update(bits)
+
+    def unread(fault):
+        name = re.search(r"-cell (\S+)", fault)
+        at = re.search(r"-port (\S+) -portbit (\d+)", fault)
+        if name is None or at is None:
+            return False
+        # yosys writes a private name with its $, a public one behind a backslash.
+        key = name[1][1:] if name[1].startswith("\\") else name[1]
+        connections = module["cells"][key]["connections"]
+        port = at[1].lstrip("\\")
+        if port == "D" and "Q" in connections:
+            port = "Q"  # a register's bit that is unread
+        if module["cells"][key]["port_directions"][port] == "input":
+            return False
+        return connections[port][int(at[2])] not in read
+
+    return unread
+
+
 def build(folder):
     if shutil.which("ccache"):
-        import os
         os.environ["OBJCACHE"] = "ccache"
     run(["verilator", "--binary", "--timing", "-O3", "-CFLAGS", "-O1", "--x-assign", "unique",
          "--x-initial", "unique", "-Wno-fatal", "-Wno-lint", "-Wno-style", "-DHS_NETLIST",
-         "-DHS_MUTSEL", "--top-module", "hs_vectors_tb", "--Mdir", "build", "-o", "bench", "-j", "2",
-         "netlist.v", "hs_vectors_dut.sv", "hs_vectors_tb.sv"], folder)
+         "-DHS_MUTSEL", "--top-module", "hs_vectors_tb", "--Mdir", "build", "-o", "bench",
+         "-j", "2", "netlist.v", "hs_vectors_dut.sv", "hs_vectors_tb.sv"], folder)
 
 
 def play(folder, number, options):
@@ -70,14 +101,6 @@ def play(folder, number, options):
         return True, ""
     why = re.search("^FAIL: ([^:]*)", text, re.M)
     return False, why[1].strip() if why else "ended early"
-
-
-def describe(fault):
-    """What the fault does, without yosys's options that only repeat it."""
-    words = dict(re.findall(r"-(mode|cell|port|portbit|wire|wirebit|src) (\S+)", fault))
-    place = words.get("wire", words.get("cell", "")).lstrip("\\")
-    return (f"{words.get('mode')} {place}[{words.get('wirebit', '-')}] "
-            f"{words.get('port', '').lstrip(chr(92))} {words.get('cell', '')}".strip())
 
 
 def main():
@@ -96,7 +119,7 @@ def main():
         run([pathlib.Path(o.halfspace).resolve(), "vectors", "--from",
              pathlib.Path(o.vectors).resolve(), "--bench", folder], folder)
         manifest = json.loads((folder / "manifest.json").read_text())
-        faults = make_netlist(folder, "hs_" + manifest["stage"], o.count, o.seed, "")
+        faults = make_netlist(folder, "hs_" + manifest["stage"], o.count, o.seed)
         build(folder)
         options = ["+bits_only"] if o.bits_only else []
         clean, why = play(folder, 0, options)
@@ -104,15 +127,19 @@ def main():
             sys.exit(f"vector_mutants: the design without a fault fails: {why}")
         with concurrent.futures.ThreadPoolExecutor(o.jobs) as pool:
             results = list(pool.map(lambda n: play(folder, n, options), range(1, len(faults) + 1)))
-    survivors = [f"{n} {fault}" for n, (fault, (passed, _)) in enumerate(zip(faults, results), 1)
-                 if passed]
+        unread = unread_bits(folder)
+    passed = [(n, fault) for n, (fault, (ok, _)) in enumerate(zip(faults, results), 1) if ok]
+    survivors = [f"{n} {'unread ' if unread(fault) else ''}{fault}" for n, fault in passed]
+    equivalent = sum(unread(fault) for _, fault in passed)
     killed = len(faults) - len(survivors)
     counts = manifest["counts"]
-    print(f"{pathlib.Path(o.vectors).name}: {counts['inputs']} inputs, {counts['outputs']} outputs: "
-          f"{killed} of {len(faults)} faults killed ({100 * killed / max(len(faults), 1):.1f} %)")
+    print(f"{pathlib.Path(o.vectors).name}: {counts['inputs']} inputs, "
+          f"{counts['outputs']} outputs: {killed} of {len(faults)} faults killed "
+          f"({100 * killed / max(len(faults), 1):.1f} %), "
+          f"{equivalent} of the others are on bits that nothing reads")
     reasons = {}
-    for passed, why in results:
-        if not passed:
+    for ok, why in results:
+        if not ok:
             reasons[why] = reasons.get(why, 0) + 1
     for why, count in sorted(reasons.items(), key=lambda item: -item[1]):
         print(f"  {count:5} by: {why}")
