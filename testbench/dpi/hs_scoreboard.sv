@@ -3,12 +3,12 @@
 // A scoreboard for hs_rasterizer or a design with its ports: watches both handshakes, gives every
 // accepted triangle to the model and compares every tile with what the model expects: place, tag,
 // masks, and, with CheckClocks, the clock. Stops the simulation with $fatal at the first
-// difference, naming the tile. Not for synthesis.
+// difference, naming the tile. The model takes its configuration from hs_config_pkg. Not for
+// synthesis.
 //
 // Clock 0 is the first edge after reset. With CheckClocks the bench must follow the stall pattern
 // of stall_probability_i and stall_seed_i (hs_stall_gap, hs_stall_ready).
 module hs_scoreboard #(
-  parameter string Config = "full",
   parameter bit CheckClocks = 1'b1
 ) (
   input logic                   clk_i,
@@ -31,6 +31,18 @@ module hs_scoreboard #(
   longint unsigned triangles = 0;
   longint unsigned tiles = 0;
 
+  // The design's own free values.
+  function automatic string configuration();
+    string pixel, grid;
+    pixel = $sformatf(
+        "\"subpixel_bits\": %0d, \"viewport_bits\": %0d, \"guard_bits\": %0d, \"samples\": %0d",
+        hs_config_pkg::SUBPIXEL_BITS, hs_config_pkg::VIEWPORT_BITS, hs_config_pkg::GUARD_BITS,
+        hs_config_pkg::SAMPLES);
+    grid = $sformatf("\"grid_log2\": %0d, \"setup_interval\": %0d, \"tag_bits\": %0d",
+        hs_config_pkg::GRID_LOG2, hs_config_pkg::SETUP_INTERVAL, hs_config_pkg::TAG_BITS);
+    configuration = {"{", pixel, ", ", grid, "}"};
+  endfunction
+
   // Sign-extended by the assignment of a signed net.
   function automatic int coordinate(input logic signed [hs_pkg::VERTEX_BITS-1:0] value);
     coordinate = int'(value);
@@ -43,8 +55,8 @@ module hs_scoreboard #(
   endtask
 
   task automatic begin_frame();
-    if (model == null) model = hs_model_pkg::hs_dpi_create(Config);
-    if (model == null) $fatal(1, "scoreboard: %s: %s", Config, hs_model_pkg::hs_dpi_error());
+    if (model == null) model = hs_model_pkg::hs_dpi_create(configuration());
+    if (model == null) $fatal(1, "scoreboard: %s", hs_model_pkg::hs_dpi_error());
     require_ok(hs_model_pkg::hs_dpi_begin_frame(
         model, int'(frame_i.width), int'(frame_i.height), int'(frame_i.cull),
         stall_probability_i, stall_seed_i), "frame");

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// An example: hs_rasterizer with random triangles under hs_scoreboard. +triangles=N +seed=N, and
-// HS_CONFIG, the preset's name, from the compiler's command line. Two frames: at full speed, and
-// with the model's stall pattern.
+// An example: hs_rasterizer with random triangles under hs_scoreboard. +triangles=N (a frame, 1000)
+// +seed=N (1). Two frames: at full speed, and with the model's stall pattern.
 module hs_scoreboard_tb;
-  localparam string Config = `HS_CONFIG;
   localparam int V = hs_pkg::VERTEX_BITS;
 
   logic                   clk = 1'b0;
@@ -21,7 +19,7 @@ module hs_scoreboard_tb;
     .valid_i(in_valid), .ready_o(in_ready), .triangle_i(triangle),
     .valid_o(out_valid), .ready_i(out_ready), .coverage_o(coverage));
 
-  hs_scoreboard #(.Config(Config)) u_scoreboard (
+  hs_scoreboard u_scoreboard (
     .clk_i(clk), .rst_ni(rst_n), .frame_i(frame),
     .stall_probability_i(stall_probability), .stall_seed_i(stall_seed),
     .in_valid_i(in_valid), .in_ready_i(in_ready), .triangle_i(triangle),
@@ -103,8 +101,8 @@ module hs_scoreboard_tb;
     stall_probability = 0.3;
     stall_seed = longint'(seed);
     run_frame(count);
-    $display("%s: seed %0d, %0d triangles, %0d tiles: bits and clocks are the model's", Config,
-             seed, 2 * count, u_scoreboard.tiles);
+    $display("seed %0d, %0d triangles, %0d tiles: bits and clocks are the model's", seed, 2 * count,
+             u_scoreboard.tiles);
     $finish;
   end
 endmodule

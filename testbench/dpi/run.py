@@ -25,7 +25,8 @@ def find(what, folders, name):
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__, usage="run.py CONFIG [OPTIONS] [+PLUSARGS]",
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     usage="run.py CONFIG [OPTIONS] [+PLUSARGS]",
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("config", help="preset: tiny, full, d3d or msaa4")
     parser.add_argument("--rtl", type=pathlib.Path, help="folder of rtl.f")
@@ -66,7 +67,7 @@ def main():
         build = subprocess.run(
             ["verilator", "--binary", "--assert", "-O3", "--timescale", "1ns/1ps",
              "--top-module", "hs_scoreboard_tb", "-Mdir", work, "-j", "2", "-o", "scoreboard",
-             f'+define+HS_CONFIG="{args.config}"', "-CFLAGS", f"-I{include}",
+             "-CFLAGS", f"-I{include}",
              "-MAKEFLAGS", "OPT_FAST=-O1 OPT_SLOW=-O0 OPT_GLOBAL=-O1", "-LDFLAGS",
              f"-L{library} -lhalfspace -Wl,-rpath,{library}", *sources],
             capture_output=True, text=True, env=environment, check=False)
