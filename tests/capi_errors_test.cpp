@@ -242,6 +242,7 @@ TEST(CapiErrors, ArraysOfTheWrongSizeAreRefused) {
   }
   expect_refused(hs_read_color(model, bytes.data(), 64), HS_ERROR_ARGUMENT, "not 192");
   expect_refused(hs_read_triangle_clocks(model, 0, 2, clocks.data()), HS_ERROR_RANGE, "of 1");
+  expect_refused(hs_read_triangle_clocks(model, 1, 1, clocks.data()), HS_ERROR_RANGE, "of 1");
   expect_refused(hs_read_triangle_clocks(model, 2, 0, clocks.data()), HS_ERROR_RANGE, "of 1");
   EXPECT_EQ(hs_read_triangle_clocks(model, 0, 1, clocks.data()), HS_OK);
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 #include <random>
@@ -138,32 +139,49 @@ TEST(Capi, PictureIsWhatTheFragmentsLeft) {
   EXPECT_EQ(depth, expected_depth);
 }
 
+// Covered samples of each pixel, by tag, from the tiles' masks.
+using Samples = std::map<std::pair<int, int>, unsigned>;
+std::array<Samples, 2> covered_samples(const std::vector<hs_tile>& tiles) {
+  std::array<Samples, 2> out;
+  for (const hs_tile& tile : tiles) {
+    for (int lane = 0; lane < 64; ++lane) {
+      for (unsigned m = 0; m < 4; ++m) {
+        if ((tile.mask[m] >> lane & 1) == 0) continue;
+        out.at(tile.tag)[{tile.x + lane % 8, tile.y + lane / 8}] |= 1u << m;
+      }
+    }
+  }
+  return out;
+}
+
+// Two triangles of equal depth: of the second pass the samples that the first does not have.
 TEST(Capi, FragmentsNameTheSamplesThatPassed) {
   const Handle model("msaa4");
   const hs_frame frame = frame_of(32, 32, HS_TILES | HS_FRAGMENTS);
   ASSERT_EQ(hs_begin_frame(model, &frame), HS_OK);
-  const double xy[6] = {1.3, 2.2, 30.1, 7.9, 9.4, 28.6};
-  ASSERT_EQ(hs_push_triangle_px(model, xy, 0), HS_OK);
-  std::map<std::pair<int, int>, unsigned> covered;
-  for (const hs_tile& tile : pull_all(model)) {
-    for (int lane = 0; lane < 64; ++lane) {
-      for (unsigned m = 0; m < 4; ++m) {
-        if ((tile.mask[m] >> lane & 1) == 0) continue;
-        covered[{tile.x + lane % 8, tile.y + lane / 8}] |= 1u << m;
-      }
-    }
-  }
+  const double first[6] = {1.3, 2.2, 30.1, 7.9, 9.4, 28.6};
+  const double second[6] = {0, 0, 32, 0, 3, 32};
+  ASSERT_EQ(hs_push_triangle_px(model, first, 0), HS_OK);
+  ASSERT_EQ(hs_push_triangle_px(model, second, 1), HS_OK);
+  auto covered = covered_samples(pull_all(model));
   std::vector<hs_fragment> fragment(2000);
   std::size_t count = 0;
   ASSERT_EQ(hs_pull_fragments(model, fragment.data(), fragment.size(), &count), HS_OK);
-  ASSERT_EQ(count, covered.size());
+  std::array<std::size_t, 2> fragments{};
+  int partly = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    EXPECT_EQ(fragment[i].covered, (covered[{fragment[i].x, fragment[i].y}]));
-    EXPECT_EQ(fragment[i].passed, fragment[i].covered) << "nothing is in front";
-    for (unsigned m = 0; m < 16; ++m) {
-      EXPECT_EQ(fragment[i].depth[m] != 0, (fragment[i].passed >> m & 1) != 0);
-    }
+    const hs_fragment& f = fragment[i];
+    const unsigned hidden = f.tag == 1 ? covered[0][{f.x, f.y}] : 0u;
+    EXPECT_EQ(f.covered, (covered.at(f.tag)[{f.x, f.y}]));
+    EXPECT_EQ(f.passed, f.covered & ~hidden);
+    partly += f.passed != f.covered ? 1 : 0;
+    ++fragments.at(f.tag);
+    for (unsigned m = 0; m < 16; ++m) EXPECT_EQ(f.depth[m] != 0, (f.passed >> m & 1) != 0);
   }
+  EXPECT_EQ(static_cast<std::ptrdiff_t>(fragments[0]),
+            std::count_if(covered[0].begin(), covered[0].end(),
+                          [](const auto& pixel) { return pixel.second != 0; }));
+  EXPECT_GT(partly, 10);
 }
 
 TEST(Capi, CrcIsThatOfTheHitsRead) {

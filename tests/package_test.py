@@ -97,6 +97,31 @@ class Package(unittest.TestCase):
         out = run(PYTHON, SOURCE / "tests/consumer/consumer.py", *ARGUMENTS, env=path)
         self.assertEqual(out.strip(), self.crc)
 
+    def test_example_of_the_c_page_prints_what_the_page_says(self):
+        code, told = self.example("c_api.md", "c")
+        source = self.top / "example.c"
+        source.write_text(code)
+        path = {**os.environ, "PKG_CONFIG_PATH": str(self.libdir / "pkgconfig"),
+                "LD_LIBRARY_PATH": str(self.libdir)}
+        flags = run("pkg-config", "--cflags", "--libs", "halfspace", env=path).split()
+        run("cc", "-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", source,
+            "-o", self.top / "example", *flags, env=path)
+        self.assertIn(run(self.top / "example", env=path), told)
+
+    @unittest.skipUnless(PYTHON, "built without HALFSPACE_PYTHON")
+    def test_example_of_the_python_page_prints_what_the_page_says(self):
+        code, told = self.example("python.md", "python")
+        module = next(p for p in self.prefix.rglob("halfspace.*.so") if "cpython" in p.name)
+        path = {**os.environ, "PYTHONPATH": str(module.parent)}
+        self.assertIn(run(PYTHON, "-c", code, env=path), told)
+
+    @staticmethod
+    def example(page, language):
+        """The first example of a page, and the page's indented lines."""
+        text = (SOURCE / "docs/02_use" / page).read_text()
+        code = re.search(rf"```{language}\n(.*?)```", text, re.S).group(1)
+        return code, "".join(re.findall(r"^    (.*\n)", text.split("```")[2], re.M))
+
     def test_shared_library_shows_its_interface_alone(self):
         names = run("nm", "-D", "--defined-only", self.libdir / "libhalfspace.so").split("\n")
         shown = {line.split()[-1].split("@")[0] for line in names if line}
