@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <thread>
 
 #include "capi_fixture.hpp"
 
@@ -39,6 +40,17 @@ TEST(CapiErrors, EveryStatusHasATextOfItsOwn) {
     texts.insert(hs_status_text(static_cast<hs_status>(status)));
   }
   EXPECT_EQ(texts.size(), static_cast<std::size_t>(HS_ERROR_INTERNAL + 2));
+}
+
+TEST(CapiErrors, TextOfAFailureIsTheThreadsOwn) {
+  hs_model* model = nullptr;
+  EXPECT_EQ(hs_create_preset("mine", &model), HS_ERROR_CONFIG);
+  std::thread([] {
+    hs_model* other = nullptr;
+    EXPECT_EQ(std::string(hs_last_error()), "");
+    EXPECT_EQ(hs_create_preset("theirs", &other), HS_ERROR_CONFIG);
+  }).join();
+  EXPECT_NE(std::string(hs_last_error()).find("'mine'"), std::string::npos) << hs_last_error();
 }
 
 TEST(CapiErrors, NullHandlesAndPointersAreRefused) {
