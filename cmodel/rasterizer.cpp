@@ -26,6 +26,7 @@ RasterStats& RasterStats::operator+=(const RasterStats& other) {
   triangles_zero_area += other.triangles_zero_area;
   triangles_culled += other.triangles_culled;
   triangles_no_sample += other.triangles_no_sample;
+  upper_nodes_skipped += other.upper_nodes_skipped;
   for (std::size_t i = 0; i < traversal.nodes.size(); ++i) {
     traversal.nodes[i] += other.traversal.nodes[i];
   }

@@ -29,6 +29,7 @@ struct RasterStats {
   std::uint64_t triangles_zero_area = 0;
   std::uint64_t triangles_culled = 0;
   std::uint64_t triangles_no_sample = 0;  // the box holds no sample: dropped before traversal
+  std::uint64_t upper_nodes_skipped = 0;  // above the leaves, not tested: the box lies in one child
   TraversalCount traversal;               // nodes tested per level, root first
   std::uint64_t tiles_visited = 0;
   std::uint64_t tiles_covered = 0;

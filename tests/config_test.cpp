@@ -67,6 +67,7 @@ TEST(Config, EveryFieldJustOutsideItsRangeIsRefusedByName) {
   const std::vector<Field> fields{{"subpixel_bits", &Config::subpixel_bits, 0, 12},
                                   {"viewport_bits", &Config::viewport_bits, 3, 15},
                                   {"guard_bits", &Config::guard_bits, 12, 16},
+                                  {"extent_bits", &Config::extent_bits, 0, 14},
                                   {"samples", &Config::samples, 1, 16},
                                   {"grid_log2", &Config::grid_log2, 2, 3},
                                   {"setup_interval", &Config::setup_interval, 1, 3},

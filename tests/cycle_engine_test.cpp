@@ -143,6 +143,9 @@ std::vector<Named> configurations() {
   out.push_back({"interval3", kTestInterval3});
   out.push_back({"samples16", kTestSamples16});
   out.push_back({"one_level", kTestOneLevel});
+  out.push_back({"fitted", kTestFitted});
+  out.push_back({"fitted_band", kTestFittedBand});
+  out.push_back({"full, short edges", {.extent_bits = 5}});
   Config config = kFull;
   config.setup_interval = 3;
   out.push_back({"full, interval 3", config});

@@ -137,13 +137,13 @@ TEST_P(Cosim, TheTeapot) {
   expect_identical(triangles, frame, 0.3, 7);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Cosim,
-                         testing::Values(Named{"tiny", kTiny}, Named{"full", kFull},
-                                         Named{"d3d", kD3d}, Named{"msaa4", kMsaa4},
-                                         Named{"interval3", kTestInterval3},
-                                         Named{"samples16", kTestSamples16},
-                                         Named{"one_level", kTestOneLevel}),
-                         [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    All, Cosim,
+    testing::Values(Named{"tiny", kTiny}, Named{"full", kFull}, Named{"d3d", kD3d},
+                    Named{"msaa4", kMsaa4}, Named{"interval3", kTestInterval3},
+                    Named{"samples16", kTestSamples16}, Named{"one_level", kTestOneLevel},
+                    Named{"fitted", kTestFitted}, Named{"fitted_band", kTestFittedBand}),
+    [](const auto& info) { return std::string(info.param.name); });
 
 // A second model for the waves around a difference lives beside the first and ends before it.
 TEST(RtlModel, TwoModelsLiveAndEndIndependently) {

@@ -66,6 +66,7 @@ class Walk {
     make_table(a_, b_, table_);
     const int start = batch.level[i];
     for (int l = 0; l <= start; ++l) ++s_.stats.traversal.nodes[static_cast<std::size_t>(l)];
+    s_.stats.upper_nodes_skipped += static_cast<std::uint64_t>(start);
     if (!flows_) timing.descend(start);
     single_ = true;
     leaves_ = 0;

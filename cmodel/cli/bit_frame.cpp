@@ -43,6 +43,7 @@ BitFrame draw_bit_frame(const Scene& scene, std::size_t index, const FrameState&
   counted.traversal = walked.traversal;
   counted.tiles_visited = walked.tiles_visited;
   counted.samples_tested = walked.samples_tested;
+  counted.upper_nodes_skipped = walked.upper_nodes_skipped;
   stats.raster += counted;
   const FrameStore& framebuffer = engine.framebuffer();
   stats.tiles_touched += framebuffer.tiles_touched();

@@ -13,6 +13,7 @@
 #include "../io/png_file.hpp"
 #include "../io/tcov.hpp"
 #include "../io/trace.hpp"
+#include "auto_level.hpp"
 #include "bit_frame.hpp"
 #include "command.hpp"
 #include "level_run.hpp"
@@ -39,6 +40,7 @@ struct RenderOptions {
   std::string depth_test = "less";
   int threads = 0;
   std::string method;
+  double simplify = 0;
   ConfigOptions config;
 };
 
@@ -112,6 +114,10 @@ class FrameRun {
 
  private:
   Image finish(const std::vector<std::uint8_t>& hits, Image image) {
+    const auto across = [this](int size) {
+      return static_cast<std::uint64_t>((size + config_.grid() - 1) >> config_.grid_log2);
+    };
+    stats_.tiles_in_frame += across(frame_.width) * across(frame_.height);
     stats_.crc = crc32_of(hits, stats_.crc);
     ++stats_.cases;
     return image;
@@ -164,7 +170,8 @@ void run_render(const RenderOptions& options) {
   const Clock::time_point start = Clock::now();
   const methods::Method* method = nullptr;
   if (!options.method.empty()) method = &find_method(options.method, options.shade);
-  const Level level = parse_level(options.level);
+  const bool automatic = options.level == "auto";
+  const Level level = parse_level(automatic ? "coverage" : options.level);
   // A method has shades of its own; of --shade only the light matters here.
   const Shade shade = method == nullptr         ? parse_shade(options, level)
                       : options.shade == "flat" ? Shade::kFlat
@@ -177,8 +184,8 @@ void run_render(const RenderOptions& options) {
   if (!options.trace.empty()) check_trace(options.trace, level);
   check_writable(options.out);
   if (!options.stats.empty()) check_writable(options.stats);
-  const std::unique_ptr<Scene> scene =
-      options.scene.open(config, shade == Shade::kFlat ? Lighting::kFlat : Lighting::kGouraud);
+  const std::unique_ptr<Scene> scene = options.scene.open(
+      config, shade == Shade::kFlat ? Lighting::kFlat : Lighting::kGouraud, options.simplify);
 
   RunStats stats;
   stats.command = "render";
@@ -191,6 +198,7 @@ void run_render(const RenderOptions& options) {
       images.push_back(method_picture(*scene, i, frame, *method, options.shade, stats));
       continue;
     }
+    if (automatic) add_prediction(*scene, i, frame, config, stats);
     FrameRun run(*scene, i, frame, config, stats);
     switch (shade) {
       case Shade::kCoverage: images.push_back(run.coverage(level)); break;
@@ -212,13 +220,21 @@ Action add_render_command(CLI::App& program) {
   auto o = std::make_shared<RenderOptions>();
   o->scene.add_to(*command);
   command->add_option("--out", o->out, "PNG file to write")->required();
-  command->add_option("--level", o->level, "coverage, bit, cycle or rtl")->capture_default_str();
+  command
+      ->add_option("--level", o->level,
+                   "coverage, bit, cycle, rtl, or auto (coverage, with the clocks predicted)")
+      ->capture_default_str();
   o->config.add_to(*command);
   command->add_option("--stats", o->stats, "JSON statistics to write");
   command->add_option("--trace", o->trace, "Trace to write (levels cycle and rtl)");
   command->add_option("--shade", o->shade,
                       "gouraud, flat, depth, coverage (hits per pixel) or tiles (nodes tested)");
   add_cull_option(*command, o->cull);
+  command
+      ->add_option("--simplify", o->simplify,
+                   "Leave out triangles where the surface moves by at most this, pixels")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("PX");
   command->add_option("--depth-test", o->depth_test, "less or less_equal")->capture_default_str();
   command
       ->add_option("--threads", o->threads,

@@ -14,6 +14,7 @@
 #include "../io/error.hpp"
 #include "../io/fit_range.hpp"
 #include "../io/mesh.hpp"
+#include "../io/simplify.hpp"
 #include "../io/tcov.hpp"
 #include "progress.hpp"
 #include "vertex_cache.hpp"
@@ -30,14 +31,17 @@ double seconds_since(Clock::time_point start) {
 class MeshScene : public Scene {
  public:
   MeshScene(const std::string& path, int width, int height, const CameraOptions& camera,
-            Lighting lighting, int views)
+            Lighting lighting, int views, double simplify_px)
       : path_(path),
         mesh_(load_mesh(path)),
         frame_{width, height, Cull::kNone},
         lighting_(lighting) {
     const double aspect = static_cast<double>(width) / static_cast<double>(height);
-    shader_.emplace_back(mesh_, aspect, camera);
     const Camera first = frame_camera(mesh_.bounds, aspect, camera);
+    if (simplify_px > 0) {
+      simplify(mesh_, simplify_px * pixel_size(first, mesh_.bounds, height));
+    }
+    shader_.emplace_back(mesh_, aspect, camera);
     for (int i = 1; i < views; ++i) {  // near and far are found anew for each
       CameraOptions around = camera;
       around.eye = orbited(first, static_cast<double>(i) / views).eye;
@@ -252,8 +256,9 @@ void Scene::draw(std::size_t index, const FrameState& frame, const Config& confi
 }
 
 std::unique_ptr<Scene> make_mesh_scene(const std::string& path, int width, int height,
-                                       const CameraOptions& camera, Lighting lighting, int views) {
-  return std::make_unique<MeshScene>(path, width, height, camera, lighting, views);
+                                       const CameraOptions& camera, Lighting lighting, int views,
+                                       double simplify_px) {
+  return std::make_unique<MeshScene>(path, width, height, camera, lighting, views, simplify_px);
 }
 
 std::unique_ptr<Scene> make_tcov_scene(const std::string& path, int case_id) {
@@ -286,11 +291,12 @@ FrameSize frame_size(const std::string& text, const Config& config) {
 }
 
 std::unique_ptr<Scene> open_scene(const std::string& path, int case_id, const FrameSize& size,
-                                  const CameraOptions& camera, Lighting lighting, int views) {
+                                  const CameraOptions& camera, Lighting lighting, int views,
+                                  double simplify_px) {
   std::string extension = std::filesystem::path(path).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (extension == ".tcov") return make_tcov_scene(path, case_id);
-  return make_mesh_scene(path, size.width, size.height, camera, lighting, views);
+  return make_mesh_scene(path, size.width, size.height, camera, lighting, views, simplify_px);
 }
 
 void require_size(int width, int height, const Config& config, const std::string& place) {

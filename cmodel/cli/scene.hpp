@@ -49,11 +49,12 @@ class Scene {
 };
 
 // A mesh file (OBJ, glTF, GLB, PLY, STL). width x height in pixels. One frame for each of `views`
-// cameras, the first as `camera` says, the others around its target. Throws what load_mesh()
-// throws.
+// cameras, the first as `camera` says, the others around its target. simplify_px: how far, in
+// pixels of the first, simplification may move the surface; 0: not at all. Throws what
+// load_mesh() and simplify() throw.
 std::unique_ptr<Scene> make_mesh_scene(const std::string& path, int width, int height,
                                        const CameraOptions& camera, Lighting lighting,
-                                       int views = 1);
+                                       int views = 1, double simplify_px = 0);
 
 // The cases of a TCOV file, or the one with that id (case_id >= 0). Triangles have one colour each
 // and equal depth. Throws what read_tcov() throws, and Error(kScene) for an unknown id.
@@ -77,6 +78,7 @@ void require_size(int width, int height, const Config& config, const std::string
 
 // A TCOV file's cases when the name ends in .tcov (size and camera are not used), else a mesh.
 std::unique_ptr<Scene> open_scene(const std::string& path, int case_id, const FrameSize& size,
-                                  const CameraOptions& camera, Lighting lighting, int views = 1);
+                                  const CameraOptions& camera, Lighting lighting, int views = 1,
+                                  double simplify_px = 0);
 
 }  // namespace halfspace

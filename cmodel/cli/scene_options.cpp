@@ -19,8 +19,10 @@ void SceneOptions::add_to(CLI::App& command, const std::string& name) {
   command.add_option("--case", case_id, "The case of a TCOV file");
 }
 
-std::unique_ptr<Scene> SceneOptions::open(const Config& config, Lighting lighting) const {
-  return open_scene(path, case_id, frame_size(size, config), camera.options(), lighting);
+std::unique_ptr<Scene> SceneOptions::open(const Config& config, Lighting lighting,
+                                          double simplify_px) const {
+  return open_scene(path, case_id, frame_size(size, config), camera.options(), lighting, 1,
+                    simplify_px);
 }
 
 std::unique_ptr<Scene> SceneOptions::open_one(const Config& config, Lighting lighting) const {

@@ -25,8 +25,9 @@ struct SceneOptions {
   // The scene, required when it is an argument ("SCENE") and not an option ("--scene"); --size,
   // --eye, --target, --up, --fov, --ortho, --case.
   void add_to(CLI::App& command, const std::string& name = "SCENE");
-  // Throws what frame_size() and open_scene() throw.
-  std::unique_ptr<Scene> open(const Config& config, Lighting lighting) const;
+  // simplify_px: as open_scene(). Throws what frame_size() and open_scene() throw.
+  std::unique_ptr<Scene> open(const Config& config, Lighting lighting,
+                              double simplify_px = 0) const;
   // The same for a command that looks at one frame. Throws Error(kUsage) when a TCOV file has
   // several cases and --case does not choose one.
   std::unique_ptr<Scene> open_one(const Config& config, Lighting lighting) const;

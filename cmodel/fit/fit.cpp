@@ -72,23 +72,30 @@ std::size_t choose_shape(const std::vector<FitShape>& shapes) {
 // Draws every view with the result and with the reference; counts what differs.
 void compare_with_reference(const std::vector<FitView>& views, FitResult& result) {
   for (const FitView& view : views) {
-    const auto hits_of = [&view](const Config& config, RasterStats& stats) {
+    std::uint64_t seen = 0;  // submitted triangles that cover a sample, in the last run
+    const auto hits_of = [&](const Config& config, RasterStats& stats) {
+      std::uint32_t last = 0;
+      seen = 0;
       HitCount hits(view.frame.width, view.frame.height);
       RunStats unused;
       view.scene->draw(view.index, view.frame, config, unused, [&](const ShadedTriangle& shaded) {
+        const std::uint64_t before = stats.tiles_covered;
         rasterize(shaded.triangle, view.frame, config, stats,
                   [&](const CoverageTile& tile) { hits.add(tile, config); });
+        if (stats.tiles_covered == before) return;
+        if (seen == 0 || shaded.triangle.tag != last) ++seen;
+        last = shaded.triangle.tag;
       });
       return hits.count();
     };
     RasterStats fitted, reference;
-    const std::vector<std::uint8_t> got = hits_of(result.config, fitted);
     const std::vector<std::uint8_t> want = hits_of(result.reference, reference);
+    const std::vector<std::uint8_t> got = hits_of(result.config, fitted);
     for (std::size_t i = 0; i < got.size(); ++i) {
       result.samples_different += static_cast<std::uint64_t>(std::abs(got[i] - want[i]));
     }
     result.samples_covered += reference.samples_covered;
-    result.triangles_no_sample += fitted.triangles_no_sample;
+    result.triangles_no_sample += view.scene->triangles(view.index) - seen;
     if (fitted.samples_covered != reference.samples_covered) ++result.samples_different;
   }
   if (result.samples_different != 0) {

@@ -151,7 +151,7 @@ struct FitResult {
   std::size_t shape = 0;                  // the chosen one
   std::uint64_t samples_covered = 0;      // by the reference, all views
   std::uint64_t samples_different = 0;    // pixels' hit counts, summed: 0, or fit stops
-  std::uint64_t triangles_no_sample = 0;  // of all views: nothing of them is seen
+  std::uint64_t triangles_no_sample = 0;  // of all views: they cover no sample
 };
 
 // Throws Error(kFitLimit) when no configuration keeps the limits, Error(kFitOracle) without CGAL,

@@ -181,8 +181,8 @@ std::string fit_summary(const FitReport& report) {
     }
   }
   const FitShape& shape = r.shapes[r.shape];
-  out += fmt::format("{} clocks for {} views, {:.2f} px/clk\n", shape.clocks, report.views,
-                     shape.pixels_per_clock());
+  out += fmt::format("{} clocks for {} view{}, {:.2f} px/clk\n", shape.clocks, report.views,
+                     report.views == 1 ? "" : "s", shape.pixels_per_clock());
   out += fmt::format("{} of {} samples differ from full at {} subpixel bits\n", r.samples_different,
                      r.samples_covered, c.subpixel_bits);
   if (r.coverage) {
@@ -194,8 +194,8 @@ std::string fit_summary(const FitReport& report) {
   if (r.attributes) {
     out += fmt::format("attributes within {:.3f} of 255 levels\n", r.attribute_error);
   }
-  out +=
-      fmt::format("{} of {} triangles hold no sample\n", r.triangles_no_sample, r.ranges.triangles);
+  out += fmt::format("{} of {} triangles cover no sample\n", r.triangles_no_sample,
+                     r.ranges.triangles);
   return out;
 }
 

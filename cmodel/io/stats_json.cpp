@@ -24,6 +24,24 @@ std::uint64_t peak_memory_bytes() {
   return 0;
 }
 
+namespace {
+
+// Work that was not done, and that changes nothing of the picture.
+nlohmann::ordered_json savings_json(const RunStats& stats) {
+  const RasterStats& r = stats.raster;
+  nlohmann::ordered_json json;
+  json["triangles_before_traversal"] =
+      r.triangles_zero_area + r.triangles_culled + r.triangles_no_sample;
+  json["upper_nodes_skipped"] = r.upper_nodes_skipped;
+  if (stats.tiles_touched != 0) {  // only with depth and colour
+    json["fragments_not_shaded"] = r.fragments - r.fragments_shaded;
+    json["tiles_without_storage"] = stats.tiles_in_frame - stats.tiles_touched;
+  }
+  return json;
+}
+
+}  // namespace
+
 nlohmann::ordered_json stats_json(const RunStats& stats, const Config& config) {
   const RasterStats& r = stats.raster;
   const GeometryStats& g = stats.geometry;
@@ -52,6 +70,14 @@ nlohmann::ordered_json stats_json(const RunStats& stats, const Config& config) {
   json["fragments"] = r.fragments;
   json["fragments_shaded"] = r.fragments_shaded;
   if (stats.cycles) json["cycles"] = *stats.cycles;
+  if (stats.predicted) {
+    json["cycles_predicted"] = {{"clocks", stats.predicted->clocks},
+                                {"low", stats.predicted->low},
+                                {"high", stats.predicted->high},
+                                {"confidence", stats.predicted->confidence},
+                                {"triangles_at_cycle", stats.predicted->triangles_at_cycle}};
+  }
+  json["savings"] = savings_json(stats);
   json["coordinates_resnapped"] = stats.resnapped;
   json["coverage_crc32"] = stats.crc;
   json["wall_seconds"] = stats.wall_seconds;

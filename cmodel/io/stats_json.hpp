@@ -20,10 +20,17 @@ struct RunStats {
   RasterStats raster;
   std::uint64_t cases = 0;              // frames rendered: 1, or the TCOV file's cases
   std::uint64_t resnapped = 0;          // TCOV coordinates finer than the configuration's subpixels
+  std::uint64_t tiles_in_frame = 0;     // framebuffer tiles that there could be
   std::uint64_t tiles_touched = 0;      // framebuffer tiles that got storage
   std::optional<std::uint64_t> cycles;  // levels cycle and rtl: clocks of all frames
-  std::uint32_t crc = 0;                // CRC-32 of the hit counts of all frames, in order
-  double simulate_seconds = 0;          // without loading and writing files
+  // Level auto: clocks predicted for all frames, and the interval that holds them.
+  struct Prediction {
+    double clocks = 0, low = 0, high = 0, confidence = 0;
+    std::uint64_t triangles_at_cycle = 0;
+  };
+  std::optional<Prediction> predicted;
+  std::uint32_t crc = 0;        // CRC-32 of the hit counts of all frames, in order
+  double simulate_seconds = 0;  // without loading and writing files
   double wall_seconds = 0;
 };
 

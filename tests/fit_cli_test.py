@@ -1,0 +1,133 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""halfspace fit as a user runs it: files, refusals, the emitted RTL."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["HALFSPACE"]
+TESTS = pathlib.Path(os.environ["HALFSPACE_TESTS"])
+SCENES = TESTS / "scenes"
+TEAPOT = SCENES / "teapot.obj"
+
+
+class FitCli(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.out = pathlib.Path(self.folder.name)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def run_program(self, *args):
+        return subprocess.run([PROGRAM, *map(str, args)], capture_output=True, text=True,
+                              timeout=300)
+
+    def succeed(self, *args):
+        done = self.run_program(*args)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done
+
+    def refuse(self, code, *args, says=""):
+        before = set(self.out.iterdir())
+        done = self.run_program(*args)
+        self.assertEqual(done.returncode, 2, f"{args}: {done.stderr}")
+        self.assertRegex(done.stderr, rf"\Ahalfspace: error\[{code}\]: [^\n]+\n\Z", str(args))
+        self.assertIn(says, done.stderr)
+        self.assertEqual(set(self.out.iterdir()), before, "a file was left behind")
+
+    def crc(self, config, *scene):
+        stats = self.out / "stats.json"
+        self.succeed("render", *scene, "--out", self.out / "p.png", "--stats", stats, "--config",
+                     config)
+        return json.loads(stats.read_text())["coverage_crc32"]
+
+    def test_the_configuration_draws_what_full_draws(self):
+        fitted = self.out / "fitted.json"
+        self.succeed("fit", TEAPOT, "--size", "160x120", "--subpixel-bits", 8, "--out", fitted)
+        scene = [TEAPOT, "--size", "160x120"]
+        self.assertEqual(self.crc(fitted, *scene), self.crc("full", *scene))
+
+    def test_a_scene_outside_is_refused_with_its_index(self):
+        fitted = self.out / "fitted.json"
+        self.succeed("fit", TEAPOT, "--size", "160x120", "--out", fitted)
+        for level in ("bit", "coverage", "cycle"):
+            self.refuse("HS022", "render", SCENES / "cube.gltf", "--size", "160x120", "--config",
+                        fitted, "--out", self.out / "x.png", "--level", level, says="triangle 0 ")
+        self.refuse("HS022", "render", TEAPOT, "--size", "160x120", "--config", fitted, "--out",
+                    self.out / "x.png", "--ortho", "1")
+        self.refuse("HS005", "render", TEAPOT, "--size", "640x480", "--config", fitted, "--out",
+                    self.out / "x.png")
+        wide = self.out / "wide.tcov"
+        wide.write_text("TCOV 1 1\ncase 3 x 160 120 2 0 00000000 0\n"
+                        "0 0 512 0 0 512\n0 0 25600 0 0 512\n")
+        self.refuse("HS022", "coverage", wide, "--config", fitted, "--out", self.out / "y.tcov",
+                    says="case 3: triangle 1 spans 100 x 2 px")
+
+    def test_every_view_of_an_orbit_is_held(self):
+        fitted = self.out / "fitted.json"
+        self.succeed("fit", TEAPOT, "--size", "160x120", "--orbit", 6, "--out", fitted)
+        one = self.out / "one.json"
+        self.succeed("fit", TEAPOT, "--size", "160x120", "--out", one)
+        bits = [json.loads(p.read_text())["extent_bits"] for p in (fitted, one)]
+        self.assertGreaterEqual(*bits)
+
+    def test_several_scenes_get_the_widest_of_each_range(self):
+        fitted = self.out / "fitted.json"
+        self.succeed("fit", TEAPOT, SCENES / "cube.gltf", "--size", "160x120", "--out", fitted)
+        for scene in (TEAPOT, SCENES / "cube.gltf"):
+            self.succeed("render", scene, "--size", "160x120", "--config", fitted, "--out",
+                         self.out / "x.png")
+
+    def test_the_emitted_rtl_is_complete_and_lints(self):
+        rtl = self.out / "rtl"
+        self.succeed("fit", TEAPOT, "--size", "160x120", "--emit-rtl", rtl)
+        files = (rtl / "files.f").read_text().split()
+        self.assertEqual(files[0], "hs_config_pkg.sv")
+        self.assertGreater(len(files), 10)
+        checkers = [f"rtl/checkers/{f}" for f in (rtl / "rtl/checkers/checkers.f").read_text().split()]
+        subprocess.run(["verilator", "--lint-only", "-Wall", "--assert", "--top-module",
+                        "hs_rasterizer", "rtl/hs_lint.vlt", *files, *checkers], cwd=rtl, check=True)
+        subprocess.run(["sh", "-n", rtl / "cosim.sh"], check=True)
+        self.assertTrue(os.access(rtl / "cosim.sh", os.X_OK))
+        self.succeed("config", "--config", rtl / "config.json")
+
+    def test_the_report_shows_curves_and_choices(self):
+        report = self.out / "report"
+        done = self.succeed("fit", TEAPOT, "--size", "160x120", "--max-error", 2000, "--report",
+                            report, "--out", self.out / "c.json")
+        page = (report / "index.html").read_text()
+        self.assertGreaterEqual(page.count("<svg"), 5)
+        data = json.loads((report / "report.json").read_text())
+        curve = data["coverage_error"]["curve"]
+        self.assertEqual([p["subpixel_bits"] for p in curve], list(range(13)))
+        chosen = data["config"]["subpixel_bits"]
+        self.assertLessEqual(curve[chosen]["ppm"], 2000)
+        self.assertGreater(curve[chosen - 1]["ppm"], 2000)
+        self.assertEqual(data["samples_different_from_reference"], 0)
+        self.assertEqual(sum(s["chosen"] for s in data["shapes"]), 1)
+        self.assertIn("samples differ from full", done.stdout)
+
+    def test_what_cannot_be_is_refused(self):
+        fit = ["fit", TEAPOT, "--size", "160x120", "--out", self.out / "c.json"]
+        self.refuse("HS023", *fit, "--target", "65px/clk", says="px/clk")
+        self.refuse("HS023", *fit, "--max-attribute-error", "0.1", says="levels")
+        self.refuse("HS001", *fit, "--target", "fast")
+        self.refuse("HS001", *fit, "--max-error", "100", "--subpixel-bits", "4")
+        self.refuse("HS001", *fit, "--synth", says="--emit-rtl")
+        self.refuse("HS001", "fit", TEAPOT, says="nothing to write")
+        self.refuse("HS004", *fit, "--subpixel-bits", "13")
+        self.refuse("HS010", "fit", self.out / "none.obj", "--out", self.out / "c.json")
+        self.refuse("HS025", "fit", TEAPOT, "--emit-rtl", self.out / "e", "--source", self.out)
+        self.refuse("HS030", "fit", TEAPOT, "--out", self.out / "no/such/c.json")
+
+    def test_area_is_printed_for_any_configuration(self):
+        area = json.loads(self.succeed("config", "--area", "--config", "full").stdout)
+        self.assertAlmostEqual(area["luts"], 25309, delta=0.04 * 25309)
+
+
+if __name__ == "__main__":
+    unittest.main()
