@@ -99,7 +99,7 @@ TEST(FitRanges, TrianglesThroughTheEyesPlaneAreLeftToTheWidthsOfFull) {
   CameraOptions inside;
   inside.eye = glm::dvec3{0.0, 0.0, 0.0};
   inside.target = glm::dvec3{0.3, 0.2, 1.0};
-  inside.fov_y_degrees = 160;
+  inside.fov_y_degrees = 60;
   const auto views = views_of("cube.gltf", 128, 128, inside);
   const FitRanges ranges = fit_ranges(views, kFull);
   ASSERT_TRUE(ranges.cut_anyway);

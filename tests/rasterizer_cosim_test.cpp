@@ -160,6 +160,31 @@ TEST(RtlModel, TwoModelsLiveAndEndIndependently) {
   EXPECT_FALSE(run(*first));
 }
 
+// The host refuses such a triangle; an RTL that gets it all the same says so.
+TEST(RtlModel, AnEdgeBeyondTheFittedRangeFailsAnAssertion) {
+  for (const Config& config : {kTestFitted, kTestFittedBand}) {
+    const auto limit = static_cast<std::int32_t>(config.extent_max());
+    for (const std::int32_t span : {limit, limit + 1}) {
+      for (const bool in_x : {false, true}) {
+        Triangle t{{{{0, 0}, {1, 2}, {2, 1}}}, 0};
+        (in_x ? t.vertex[1].x : t.vertex[1].y) = span;
+        const std::unique_ptr<RtlRasterizer> rtl = make_rtl_rasterizer(config);
+        ASSERT_NE(rtl, nullptr);
+        rtl->set_frame({16, 16, Cull::kNone});
+        const auto offer = [&] {
+          rtl->drive(&t, true);
+          rtl->clock();
+        };
+        if (span == limit) {
+          EXPECT_NO_THROW(offer());
+        } else {
+          EXPECT_THROW(offer(), std::runtime_error) << in_x;
+        }
+      }
+    }
+  }
+}
+
 // --- Throughput: facts in clocks, of the RTL. The table is in docs/03_design/throughput.md.
 // --------
 

@@ -34,18 +34,19 @@ struct FitArguments {
   int subpixel_bits = -1;
   double max_error = -1;
   double max_attribute_error = -1;
+  double simplify = 0;
   bool synth = false;
   bool cosim = false;
 };
 
 bool is_tcov(const std::string& path) { return fs::path(path).extension() == ".tcov"; }
 
-std::vector<FitView> open_views(const FitArguments& a) {
+std::vector<FitView> open_views(const FitArguments& a, double simplify_px) {
   const FrameSize size = a.size.empty() ? FrameSize{640, 480} : parse_size(a.size);
   std::vector<FitView> views;
   for (const std::string& path : a.scenes) {
-    std::shared_ptr<const Scene> scene =
-        open_scene(path, a.case_id, size, a.camera.options(), Lighting::kGouraud, a.views);
+    std::shared_ptr<const Scene> scene = open_scene(path, a.case_id, size, a.camera.options(),
+                                                    Lighting::kGouraud, a.views, simplify_px);
     const std::vector<FitView> more = fit_views(scene, path, parse_cull(a.cull));
     views.insert(views.end(), more.begin(), more.end());
   }
@@ -122,17 +123,38 @@ void synthesise(const FitArguments& a, FitReport& report) {
   if (fs::exists(known)) report.measured_full = read_json(known)["presets"]["full"]["flat"];
 }
 
-void run_fit(const FitArguments& a, const std::string& command) {
+// The command that makes the same configuration.
+std::string command_text(const FitArguments& a) {
+  std::string text = "halfspace fit";
+  for (const std::string& scene : a.scenes) text += " " + scene;
+  if (!a.size.empty()) text += " --size " + a.size;
+  if (a.max_error >= 0) text += fmt::format(" --max-error {}", a.max_error);
+  if (a.max_attribute_error >= 0) {
+    text += fmt::format(" --max-attribute-error {}", a.max_attribute_error);
+  }
+  if (a.subpixel_bits >= 0) text += fmt::format(" --subpixel-bits {}", a.subpixel_bits);
+  if (!a.target.empty()) text += " --target " + a.target;
+  if (a.samples != 1) text += fmt::format(" --samples {}", a.samples);
+  if (a.views != 1) text += fmt::format(" --orbit {}", a.views);
+  std::string camera = a.camera.text();
+  const std::size_t at = camera.find(" --target ");
+  if (at != std::string::npos) camera.replace(at, 9, " --look-at");
+  return text + camera;
+}
+
+void run_fit(const FitArguments& a) {
   check(a);
   const FitOptions options = fit_options(a);
-  const std::vector<FitView> views = open_views(a);
+  const std::vector<FitView> views = open_views(a, 0);
   const FitResult result = fit(views, options);
-  FitReport report{.command = command,
+  FitReport report{.command = command_text(a),
                    .options = options,
                    .result = result,
                    .views = views.size(),
                    .measured = {},
+                   .lod = {},
                    .measured_full = {}};
+  if (a.simplify > 0) report.lod = compare_lod(views, open_views(a, a.simplify));
   if (!a.emit.empty()) emit_rtl(a.emit, a.source, result.config, emit_runs(a));
   if (a.synth) synthesise(a, report);
   if (!a.report.empty()) {
@@ -183,6 +205,11 @@ Action add_fit_command(CLI::App& program) {
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
   command->add_option("--case", a->case_id, "The case of a TCOV file (default: all)");
+  command
+      ->add_option("--simplify", a->simplify,
+                   "Also say what simplification to this error would save and get wrong, pixels")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("PX");
   command->add_flag("--synth", a->synth, "Measure the area with yosys");
   command->add_flag("--cosim", a->cosim, "Run the emitted cosim.sh: lint, build, compare");
   command->add_option("--source", a->source, "The project's source tree");
@@ -190,8 +217,8 @@ Action add_fit_command(CLI::App& program) {
       "A scene or view that was not given may be refused by the configuration (HS022).\n"
       "Example: halfspace fit tests/scenes/teapot.obj --size 320x240 --max-error 1000 "
       "--emit-rtl out/fit");
-  return [a, &program] {
-    run_fit(*a, "halfspace fit");
+  return [a] {
+    run_fit(*a);
     return 0;
   };
 }

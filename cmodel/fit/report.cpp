@@ -143,6 +143,13 @@ Json fit_report_json(const FitReport& report) {
                   {"luts_error_percent", kAreaErrorPercent},
                   {"ff_error_percent", kFlipFlopErrorPercent},
                   {"steps", steps}};
+  if (report.lod) {
+    json["simplified"] = {{"triangles_before", report.lod->triangles_before},
+                          {"triangles", report.lod->triangles_after},
+                          {"pixels_covered", report.lod->pixels_covered},
+                          {"pixels_wrong", report.lod->pixels_wrong},
+                          {"hit_counts_wrong", report.lod->counts_wrong}};
+  }
   if (report.measured) json["area"]["measured"] = *report.measured;
   if (report.measured_full) json["area"]["measured_full"] = *report.measured_full;
   return json;
@@ -196,6 +203,11 @@ std::string fit_summary(const FitReport& report) {
   }
   out += fmt::format("{} of {} triangles cover no sample\n", r.triangles_no_sample,
                      r.ranges.triangles);
+  if (report.lod) {
+    out += fmt::format("simplified: {} of {} triangles, {} of {} covered pixels wrong\n",
+                       report.lod->triangles_after, report.lod->triangles_before,
+                       report.lod->pixels_wrong, report.lod->pixels_covered);
+  }
   return out;
 }
 

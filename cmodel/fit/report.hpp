@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fit.hpp"
+#include "lod.hpp"
 
 namespace halfspace {
 
@@ -17,6 +18,7 @@ struct FitReport {
   const FitResult& result;
   std::size_t views = 0;
   std::optional<nlohmann::ordered_json> measured;  // --synth: yosys's figures of the configuration
+  std::optional<LodError> lod;                     // --simplify
   std::optional<nlohmann::ordered_json> measured_full;  // and those of `full`
 };
 
