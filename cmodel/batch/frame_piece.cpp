@@ -12,7 +12,7 @@ FramePiece::FramePiece(const FrameState& frame, const Config& config,
     : kernels_(kernels), engine_(frame, config, kernels.isa) {}
 
 void FramePiece::cover(const FrameConstants& constants, const std::vector<VertexRecord>& records,
-                       std::size_t enough, int owners) {
+                       std::size_t enough, int owners, std::uint32_t band) {
   done_ += engine_.fill({assembly_.triangle.data(), assembly_.count}, done_, enough);
   const CoverageChunk chunk = engine_.chunk();
   list_triangles(chunk, records);
@@ -25,7 +25,7 @@ void FramePiece::cover(const FrameConstants& constants, const std::vector<Vertex
   tiles_.depth = depth_.data();
   tiles_.depth_delta = depth_delta_.data();
   owned_.resize(owners > 1 ? static_cast<std::size_t>(owners) : 0);
-  if (owners > 1) sort_records(owners);
+  if (owners > 1) sort_records(static_cast<std::uint32_t>(owners), band);
 }
 
 // Triangles with a record, as positions in the chunk.
@@ -81,11 +81,11 @@ void FramePiece::make_planes(const FrameConstants& constants) {
   }
 }
 
-void FramePiece::sort_records(int owners) {
+void FramePiece::sort_records(std::uint32_t owners, std::uint32_t band) {
   for (std::vector<std::uint32_t>& list : owned_) list.clear();
   for (std::size_t r = 0; r < tiles_.count; ++r) {
     const std::uint32_t row = RecordPlace{tiles_.place[r]}.tile_y();
-    owned_[row % static_cast<std::uint32_t>(owners)].push_back(static_cast<std::uint32_t>(r));
+    owned_[row / band % owners].push_back(static_cast<std::uint32_t>(r));
   }
 }
 

@@ -27,9 +27,9 @@ class FramePiece {
   // Covers the next triangles, until there are `enough` records or no more triangles.
   //
   //   records  of the mesh, for corners that are not the assembly's own
-  //   owners   record r belongs to owner (tile row mod owners)
+  //   owners   a record belongs to owner (tile row / band) mod owners
   void cover(const FrameConstants& constants, const std::vector<VertexRecord>& records,
-             std::size_t enough, int owners);
+             std::size_t enough, int owners, std::uint32_t band);
 
   // What the last cover() found.
   const FrameTiles& tiles() const { return tiles_; }
@@ -42,7 +42,7 @@ class FramePiece {
   void list_triangles(const CoverageChunk& chunk, const std::vector<VertexRecord>& records);
   void list_records(const CoverageChunk& chunk);
   void make_planes(const FrameConstants& constants);
-  void sort_records(int owners);
+  void sort_records(std::uint32_t owners, std::uint32_t band);
 
   const simd::FrameKernels& kernels_;
   CoverageEngine engine_;

@@ -97,7 +97,8 @@ struct PassedTiles {
   std::vector<PassedTile> tile;
   std::vector<std::uint64_t> covered;
   std::vector<std::uint64_t> passed;
-  std::vector<ShadePlanes> planes;    // scratch of the colour kernel
+  std::vector<std::uint32_t> shaded;  // of the colour kernel: triangles with a tile, once each
+  std::vector<ShadePlanes> planes;    // of those
   std::vector<std::uint64_t> deltas;  // [planes][sample][shade]; samples > 1
 
   // Room for `more` further tiles.

@@ -37,6 +37,7 @@ FrameStore::FrameStore(const FrameState& frame, const Config& config, Rgb backgr
       background_(pack(background)),
       rows_(static_cast<std::size_t>((frame.height + config.grid() - 1) >> config.grid_log2)) {
   live_.resize(columns_ * rows_.size());
+  row_.resize(rows_.size());
 }
 
 void FrameStore::clear() { std::fill(live_.begin(), live_.end(), std::uint8_t{0}); }
@@ -45,6 +46,7 @@ void FrameStore::make_tile(std::uint32_t column, std::uint32_t row) {
   if (!rows_[row]) {
     const std::size_t bytes = columns_ * tile_words_ * sizeof(std::uint32_t);
     rows_[row].reset(static_cast<std::uint32_t*>(::operator new[](bytes, kLine)));
+    row_[row] = rows_[row].get();
   }
   live_[std::size_t{row} * columns_ + column] = 1;
   std::uint32_t* words = rows_[row].get() + column * tile_words_;

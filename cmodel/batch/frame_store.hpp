@@ -46,10 +46,25 @@ class FrameStore {
     if (live_[at] == 0) make_tile(column, row);
     return rows_[row].get() + column * tile_words_;
   }
-  // Where the tile's memory is or, if its row has none yet, anywhere: to be prefetched.
-  const std::uint32_t* place_of_tile(std::uint32_t column, std::uint32_t row) const {
-    return rows_[row].get() + column * tile_words_;
-  }
+  // The same for a loop: a copy that no store to a tile can change.
+  struct Tiles {
+    FrameStore* store;
+    std::uint8_t* live;
+    std::uint32_t* const* rows;
+    std::size_t columns;
+    std::size_t tile_words;
+
+    // Of a tile that is cleared already.
+    std::uint32_t* at(std::uint32_t column, std::uint32_t row) const {
+      return rows[row] + column * tile_words;
+    }
+    std::uint32_t* tile(std::uint32_t column, std::uint32_t row) const {
+      if (live[row * columns + column] == 0) store->make_tile(column, row);
+      return at(column, row);
+    }
+  };
+  Tiles tiles() { return {this, live_.data(), row_.data(), columns_, tile_words_}; }
+
   // Null when nothing was drawn there.
   const std::uint32_t* find_tile(std::uint32_t column, std::uint32_t row) const {
     const std::size_t at = std::size_t{row} * columns_ + column;
@@ -77,6 +92,7 @@ class FrameStore {
   std::uint32_t background_;  // as a stored colour
   std::vector<std::uint8_t> live_;
   std::vector<std::unique_ptr<std::uint32_t[], Free>> rows_;
+  std::vector<std::uint32_t*> row_;  // the same pointers
 };
 
 }  // namespace halfspace

@@ -66,15 +66,6 @@ HWY_INLINE std::size_t first_vector(std::uint64_t bits) {
   return static_cast<std::size_t>(std::countr_zero(bits)) & ~(kLanes - 1);
 }
 
-// Tiles this far ahead are fetched: a frame's tiles are larger than the nearer caches.
-inline constexpr std::size_t kAhead = 6;
-
-// A quarter of a kilobyte from word `first` of a tile on.
-HWY_INLINE void prefetch_tile(const FrameStore& store, std::uint32_t place, std::size_t first) {
-  const std::uint32_t* at = store.place_of_tile(place & 0xffff, place >> 16) + first;
-  for (std::size_t word = 0; word < 64; word += 16) __builtin_prefetch(at + word, 1);
-}
-
 // dx i + dy j of the lanes of a tile's first vector, and of the first lane of another.
 template <int kGridLog2>
 HWY_INLINE VI plane_step(std::uint32_t dx, std::uint32_t dy) {

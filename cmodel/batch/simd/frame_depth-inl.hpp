@@ -63,78 +63,97 @@ HWY_INLINE std::uint64_t test_tile(const DepthTest& test, const FramePlane& plan
   return passed;
 }
 
+// What the loop over records keeps in registers: stores to tiles alias none of it.
+struct DepthLoop {
+  FrameTiles tiles;
+  FrameStore::Tiles memory;
+  PassedTile* tile;
+  std::uint64_t* covered;
+  std::uint64_t* passed;
+  std::size_t count;
+  std::size_t samples;
+  int gradient_bits;
+  FrameCounts counts;
+
+  HWY_INLINE void point_into(PassedTiles& out) {
+    tile = out.tile.data();
+    covered = out.covered.data();
+    passed = out.passed.data();
+  }
+};
+
 // All samples of one tile of one triangle; appends it when any lane passed.
 template <int kGridLog2, bool kOne>
-HWY_INLINE void depth_tile(const FrameConstants& c, const DepthTest& test, const FrameTiles& tiles,
-                           std::size_t record, std::uint32_t word, const std::uint64_t* mask,
-                           FrameStore& store, PassedTiles& out, FrameCounts& counts) {
-  const std::uint32_t triangle = tiles.triangle[record];
-  const FramePlane& plane = tiles.depth[triangle];
+HWY_INLINE void depth_tile(const DepthTest& test, std::size_t record, std::uint32_t word,
+                           const std::uint64_t* mask, DepthLoop& loop) {
+  const std::uint32_t triangle = loop.tiles.triangle[record];
+  const FramePlane& plane = loop.tiles.depth[triangle];
   const std::uint32_t column = word & 0xffff;
   const std::uint32_t row = word >> 16;
   const std::uint64_t sum = plane.origin + plane.dx * (std::uint64_t{column} << kGridLog2) +
                             plane.dy * (std::uint64_t{row} << kGridLog2);
-  const std::uint32_t base = static_cast<std::uint32_t>(sum >> c.gradient_bits) + test.round;
-  std::uint32_t* stored = store.tile(column, row);
+  const std::uint32_t base = static_cast<std::uint32_t>(sum >> loop.gradient_bits) + test.round;
+  std::uint32_t* stored = loop.memory.tile(column, row);
   constexpr std::size_t kTile = std::size_t{1} << (2 * kGridLog2);
-  ++counts.tiles;
+  ++loop.counts.tiles;
   std::uint64_t passed = 0;
   if (kOne) {
-    const auto covered = static_cast<std::uint64_t>(std::popcount(mask[0]));
-    counts.samples += covered;
-    counts.fragments += covered;
+    loop.counts.fragments += static_cast<std::uint64_t>(std::popcount(mask[0]));
     passed = test_tile<kGridLog2>(test, plane, base, mask[0], stored);
   } else {
-    const auto samples = static_cast<std::size_t>(c.samples);
     std::uint64_t any = 0;
-    for (std::size_t m = 0; m < samples; ++m) {
-      const std::uint32_t delta = tiles.depth_delta[triangle * samples + m];
+    for (std::size_t m = 0; m < loop.samples; ++m) {
+      const std::uint32_t delta = loop.tiles.depth_delta[triangle * loop.samples + m];
       const std::uint64_t won =
           test_tile<kGridLog2>(test, plane, base + delta, mask[m], stored + m * kTile);
-      out.covered[out.count * samples + m] = mask[m];
-      out.passed[out.count * samples + m] = won;
+      loop.covered[loop.count * loop.samples + m] = mask[m];
+      loop.passed[loop.count * loop.samples + m] = won;
       passed |= won;
       any |= mask[m];
-      counts.samples += static_cast<std::uint64_t>(std::popcount(mask[m]));
+      loop.counts.samples += static_cast<std::uint64_t>(std::popcount(mask[m]));
     }
-    counts.fragments += static_cast<std::uint64_t>(std::popcount(any));
+    loop.counts.fragments += static_cast<std::uint64_t>(std::popcount(any));
   }
-  counts.shaded += static_cast<std::uint64_t>(std::popcount(passed));
-  out.tile[out.count] = {word, triangle, passed};
-  out.count += passed != 0;
+  loop.counts.shaded += static_cast<std::uint64_t>(std::popcount(passed));
+  loop.tile[loop.count] = {word, triangle, passed};
+  loop.count += passed != 0;
 }
 
 template <int kGridLog2, bool kOne>
 HWY_NOINLINE void depth_records(const FrameConstants& c, const FrameTiles& tiles,
-                                const RecordOrder& order, FrameStore& store, PassedTiles& out,
+                                const RecordOrder& records, FrameStore& store, PassedTiles& out,
                                 FrameCounts& counts) {
   const DepthTest test = depth_constants(c);
+  const RecordOrder order = records;
   const auto samples = static_cast<std::size_t>(c.samples);
   out.reserve(order.count + 1, samples);
+  DepthLoop loop{tiles,     store.tiles(), nullptr,         nullptr, nullptr,
+                 out.count, samples,       c.gradient_bits, {}};
+  loop.point_into(out);
   std::uint64_t mask[kMaxSamples];
   constexpr std::uint64_t kFull = kGridLog2 == 3 ? ~std::uint64_t{0} : 0xffff;
   for (std::size_t k = 0; k < order.count; ++k) {
     const std::size_t record = order.record == nullptr ? k : order.record[k];
-    const std::uint32_t word = tiles.place[record];
-    if (k + kAhead < order.count) {
-      const std::size_t next = order.record == nullptr ? k + kAhead : order.record[k + kAhead];
-      prefetch_tile(store, tiles.place[next] & ~kRunFlag, 0);
-    }
+    const std::uint32_t word = loop.tiles.place[record];
     if (word >> 31 == 0) {
-      for (std::size_t m = 0; m < (kOne ? 1 : samples); ++m) mask[m] = tiles.mask[m][record];
-      depth_tile<kGridLog2, kOne>(c, test, tiles, record, word, mask, store, out, counts);
+      for (std::size_t m = 0; m < (kOne ? 1 : samples); ++m) mask[m] = loop.tiles.mask[m][record];
+      depth_tile<kGridLog2, kOne>(test, record, word, mask, loop);
       continue;
     }
-    const std::uint64_t length = tiles.mask[0][record];
+    const std::uint64_t length = loop.tiles.mask[0][record];
+    out.count = loop.count;
     out.reserve(order.count - k + length, samples);
+    loop.point_into(out);
     for (std::size_t m = 0; m < samples; ++m) mask[m] = kFull;
     for (std::uint32_t i = 0; i < length; ++i) {
-      prefetch_tile(store,
-                    (word & ~kRunFlag) + HWY_MIN(i + 3, static_cast<std::uint32_t>(length) - 1), 0);
-      depth_tile<kGridLog2, kOne>(c, test, tiles, record, (word & ~kRunFlag) + i, mask, store, out,
-                                  counts);
+      depth_tile<kGridLog2, kOne>(test, record, (word & ~kRunFlag) + i, mask, loop);
     }
   }
+  out.count = loop.count;
+  counts.tiles += loop.counts.tiles;
+  counts.samples += kOne ? loop.counts.fragments : loop.counts.samples;
+  counts.fragments += loop.counts.fragments;
+  counts.shaded += loop.counts.shaded;
 }
 
 void Planes(const FrameConstants& c, const FrameTriangle* triangles, std::size_t count,

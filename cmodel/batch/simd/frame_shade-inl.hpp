@@ -120,45 +120,54 @@ HWY_INLINE void shade_planes(const FrameConstants& c, const FrameTriangle* trian
   if (samples > 1 && passed.deltas.size() < passed.count * samples * kShades) {
     passed.deltas.resize(2 * passed.count * samples * kShades);
   }
+  if (passed.shaded.size() < passed.count) passed.shaded.resize(2 * passed.count);
+  // Without a branch: whether a tile is its triangle's first is a coin toss.
+  std::size_t found = 0;
   std::uint32_t last = ~0u;
-  std::uint32_t index = ~0u;
+  PassedTile* const tiles = passed.tile.data();
+  std::uint32_t* const shaded = passed.shaded.data();
   for (std::size_t k = 0; k < passed.count; ++k) {
-    const std::uint32_t triangle = passed.tile[k].triangle;
-    if (triangle != last) {
-      last = triangle;
-      ++index;
-      ShadePlanes& planes = passed.planes[index];
-      triangle_planes(c, triangles[triangle], planes);
-      for (std::size_t m = 0; samples > 1 && m < samples; ++m) {
-        for (std::size_t n = 0; n < kShades; ++n) {
-          passed.deltas[(index * samples + m) * kShades + n] =
-              frame_delta(planes.dx[n], planes.dy[n], static_cast<int>(m), c);
-        }
+    const std::uint32_t triangle = tiles[k].triangle;
+    found += triangle != last;
+    last = triangle;
+    shaded[found - 1] = triangle;
+    tiles[k].triangle = static_cast<std::uint32_t>(found - 1);
+  }
+  const FrameConstants constants = c;  // nothing aliases it
+  for (std::size_t i = 0; i < found; ++i) {
+    triangle_planes(constants, triangles[shaded[i]], passed.planes[i]);
+  }
+  for (std::size_t i = 0; samples > 1 && i < found; ++i) {
+    for (std::size_t m = 0; m < samples; ++m) {
+      for (std::size_t n = 0; n < kShades; ++n) {
+        passed.deltas[(i * samples + m) * kShades + n] =
+            frame_delta(passed.planes[i].dx[n], passed.planes[i].dy[n], static_cast<int>(m), c);
       }
     }
-    passed.tile[k].triangle = index;
   }
 }
 
 template <int kGridLog2, bool kOne>
-HWY_NOINLINE void shade_tiles(const FrameConstants& c, FrameStore& store, PassedTiles& passed) {
+HWY_NOINLINE void shade_tiles(const FrameConstants& frame, FrameStore& store, PassedTiles& passed) {
+  const FrameConstants c = frame;  // nothing aliases it
   const Divider divide = divider(c);
   constexpr std::size_t kTile = std::size_t{1} << (2 * kGridLog2);
   const auto samples = static_cast<std::size_t>(c.samples);
   ShadeTile tile;
   tile.covered = tile.passed = tile.deltas = nullptr;
-  for (std::size_t k = 0; k < passed.count; ++k) {
-    const PassedTile& at = passed.tile[k];
-    if (k + kAhead < passed.count) {
-      prefetch_tile(store, passed.tile[k + kAhead].place, samples * kTile);
-    }
-    start_tile<kGridLog2>(c, passed.planes[at.triangle], at.place, tile);
+  const std::size_t count = passed.count;
+  const PassedTile* const tiles = passed.tile.data();
+  const ShadePlanes* const planes = passed.planes.data();
+  FrameStore::Tiles memory = store.tiles();
+  for (std::size_t k = 0; k < count; ++k) {
+    const PassedTile& at = tiles[k];
+    start_tile<kGridLog2>(c, planes[at.triangle], at.place, tile);
     if (!kOne) {
       tile.covered = passed.covered.data() + k * samples;
       tile.passed = passed.passed.data() + k * samples;
       tile.deltas = passed.deltas.data() + at.triangle * samples * kShades;
     }
-    std::uint32_t* stored = store.tile(at.place & 0xffff, at.place >> 16) + samples * kTile;
+    std::uint32_t* stored = memory.at(at.place & 0xffff, at.place >> 16) + samples * kTile;
     shade_tile<kGridLog2, kOne>(c, divide, tile, at.passed, stored);
   }
 }

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "frame_work.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+
+#include "../fixed.hpp"
+
+namespace halfspace {
+namespace {
+
+// Triangles prepared together, and the records after which their tiles are drawn: what is known of
+// them stays in the second-level cache.
+constexpr std::size_t kPieceTriangles = 2048;
+constexpr std::size_t kPieceRecords = 4096;
+// The same for several threads: the most triangles of a piece and the fewest worth sharing, and
+// pieces per thread between two meetings of the threads.
+constexpr std::size_t kSharedTriangles = 1024;
+constexpr std::size_t kLeastTriangles = 64;
+constexpr std::size_t kPiecesPerThread = 4;
+// Vertices a thread projects at a time.
+constexpr std::size_t kVertexRange = 1024;
+// Kernels write whole vectors of records.
+constexpr std::size_t kVertexSlack = 16;
+
+const simd::FrameKernels& find_kernels(std::string_view isa) {
+  const auto kernels = simd::frame_kernels();
+  if (isa.empty()) return kernels.front();
+  for (const simd::FrameKernels& kernel : kernels) {
+    if (kernel.isa == isa) return kernel;
+  }
+  HS_CHECK(false && "no such instruction set");
+}
+
+FrameConstants frame_constants(const FrameState& frame, const Config& config,
+                               const FrameOptions& options) {
+  HS_CHECK(validate(config).empty());
+  HS_CHECK(options.threads >= 1 && (options.threads == 1 || options.run));
+  FrameConstants out;
+  out.config = config;
+  out.frame = frame;
+  out.depth_function = options.depth_function;
+  out.f = config.position_bits();
+  out.gradient_bits = config.gradient_bits;
+  out.samples = config.samples;
+  out.colors = std::min(config.attributes, 3);
+  out.far = (std::uint32_t{1} << config.depth_bits) - 1;
+  return out;
+}
+
+// Rows of tiles that a thread owns together: a triangle in two rows is then mostly one thread's,
+// and there are enough bands for everyone.
+std::uint32_t band_rows(std::uint32_t rows, int threads) {
+  return std::clamp(rows / (8 * static_cast<std::uint32_t>(threads)), 1u, 4u);
+}
+
+}  // namespace
+
+FrameEngine::Work::Work(const FrameState& frame, const Config& config, const FrameOptions& options)
+    : options_(options),
+      constants_(frame_constants(frame, config, options)),
+      project_(project_constants(frame, config)),
+      kernels_(find_kernels(options.isa)),
+      store_(frame, config, options.background),
+      band_(band_rows(store_.rows(), options.threads)),
+      passed_(static_cast<std::size_t>(options.threads)),
+      counts_(passed_.size()) {
+  const std::size_t threads = passed_.size();
+  for (std::size_t i = 0; i < (threads == 1 ? 1 : 2 * threads * kPiecesPerThread); ++i) {
+    pieces_.emplace_back(frame, config, kernels_);
+    plain_.emplace_back(frame, config);
+  }
+  geometry_.resize(pieces_.size());
+  clear();
+}
+
+void FrameEngine::Work::clear() {
+  store_.clear();
+  stats_ = {};
+  geometry_sum_ = {};
+  hits_.clear();
+  if (options_.count_hits) {
+    hits_.assign(passed_.size(), HitPlane(constants_.frame.width, constants_.frame.height));
+  }
+}
+
+void FrameEngine::Work::check(std::span<const ShadedTriangle> triangles) const {
+  const Config& config = constants_.config;
+  for (const ShadedTriangle& triangle : triangles) {
+    for (const VertexAttributes& vertex : triangle.attributes) {
+      HS_CHECK(vertex.depth >> (config.depth_bits + kDepthFractionBits) == 0);
+      if (constants_.colors == 0) continue;
+      HS_CHECK(vertex.inverse_w >= 1 && vertex.inverse_w >> config.inverse_w_bits == 0);
+      for (std::size_t n = 0; n < static_cast<std::size_t>(constants_.colors); ++n) {
+        HS_CHECK(vertex.value[n] <= 255u << kAttributeFractionBits);
+      }
+    }
+  }
+}
+
+void FrameEngine::Work::draw(std::span<const ShadedTriangle> triangles) {
+  check(triangles);
+  constants_.packed = true;
+  Feed feed;
+  feed.triangles = triangles.size();
+  feed.assemble = [&](std::size_t piece, std::size_t first, std::size_t count) {
+    for (const ShadedTriangle& triangle : triangles.subspan(first, count)) {
+      pieces_[piece].assembly().append(triangle, constants_.colors);
+    }
+  };
+  run(feed);
+}
+
+void FrameEngine::Work::draw(const VertexSource& source,
+                             std::span<const TriangleIndices> triangles) {
+  constants_.packed = false;
+  if (records_.size() < source.size() + kVertexSlack) {
+    records_.resize(source.size() + kVertexSlack);
+  }
+  Feed feed;
+  feed.triangles = triangles.size();
+  feed.source = &source;
+  feed.vertices = [&](std::size_t first, std::size_t count) {
+    const std::size_t end = std::size_t{1} + kernels_.highest(triangles[first].data(), 3 * count);
+    HS_CHECK(end <= source.size());
+    return end;
+  };
+  feed.assemble = [&](std::size_t piece, std::size_t first, std::size_t count) {
+    halfspace::assemble(source, records_, triangles.subspan(first, count), constants_.colors,
+                        plain_[piece], pieces_[piece].assembly(), geometry_[piece]);
+  };
+  run(feed);
+  add_geometry();
+}
+
+void FrameEngine::Work::run(const Feed& feed) {
+  options_.threads == 1 ? draw_alone(feed) : draw_shared(feed);
+  add_counts();
+}
+
+void FrameEngine::Work::assemble(const Feed& feed, std::size_t piece, std::size_t first,
+                                 std::size_t count) {
+  pieces_[piece].assembly().clear();
+  feed.assemble(piece, first, count);
+  pieces_[piece].start();
+}
+
+void FrameEngine::Work::tell(FramePiece& piece) const {
+  const Assembly& assembly = piece.assembly();
+  if (options_.on_triangles) options_.on_triangles({assembly.triangle.data(), assembly.count});
+}
+
+void FrameEngine::Work::draw_tiles(const FramePiece& piece, std::size_t thread) {
+  PassedTiles& passed = passed_[thread];
+  passed.count = 0;
+  kernels_.depth(constants_, piece.tiles(), piece.order(static_cast<int>(thread)), store_, passed,
+                 counts_[thread]);
+  kernels_.shade(constants_, piece.triangles(), store_, passed);
+}
+
+// Vertices are projected when they are needed: most meshes use them about in their order, and then
+// their records are still in the cache.
+void FrameEngine::Work::draw_alone(const Feed& feed) {
+  FramePiece& piece = pieces_.front();
+  std::size_t projected = 0;
+  for (std::size_t first = 0; first < feed.triangles; first += kPieceTriangles) {
+    const std::size_t count = std::min(kPieceTriangles, feed.triangles - first);
+    const std::size_t needed = feed.source == nullptr ? 0 : feed.vertices(first, count);
+    if (needed > projected) {
+      kernels_.project(project_, *feed.source, projected, needed - projected, records_.data());
+      projected = needed;
+    }
+    assemble(feed, 0, first, count);
+    tell(piece);
+    while (!piece.finished()) {
+      piece.cover(constants_, records_, kPieceRecords, 1, band_);
+      draw_tiles(piece, 0);
+      if (options_.count_hits) hits_[0].add(piece.chunk());
+    }
+  }
+}
+
+FrameEngine::Work::Round FrameEngine::Work::round(const Feed& feed, std::size_t index) const {
+  const std::size_t most = pieces_.size() / 2;
+  Round out;
+  out.first = std::min(index * most * kSharedTriangles, feed.triangles);
+  out.count = std::min(most * kSharedTriangles, feed.triangles - out.first);
+  out.share = std::max(kLeastTriangles, (out.count + most - 1) / most);
+  out.used = (out.count + out.share - 1) / out.share;
+  out.piece = index % 2 * most;
+  return out;
+}
+
+// A line of three: while the tiles of one round are drawn, each band of rows by its owner and in
+// the order of triangles, whoever is free prepares the next round's pieces, and projects the
+// vertices of the one after. What a step reads was made in the step before.
+void FrameEngine::Work::draw_shared(const Feed& feed) {
+  std::size_t projected = 0;
+  for (std::size_t step = 0;; ++step) {
+    const Round arriving = round(feed, step);
+    const Round prepared = step < 1 ? Round() : round(feed, step - 1);
+    const Round drawn = step < 2 ? Round() : round(feed, step - 2);
+    if (arriving.used + prepared.used + drawn.used == 0) return;
+    std::size_t needed = projected;
+    if (feed.source != nullptr && arriving.count > 0) {
+      needed = std::max(needed, feed.vertices(arriving.first, arriving.count));
+    }
+    std::atomic<std::size_t> next_vertex = projected;
+    std::atomic<std::size_t> next_piece = 0;
+    options_.run(options_.threads, [&](int owner) {
+      const auto thread = static_cast<std::size_t>(owner);
+      for (std::size_t i = 0; i < drawn.used; ++i) draw_tiles(pieces_[drawn.piece + i], thread);
+      for (std::size_t i = next_piece++; i < prepared.used; i = next_piece++) {
+        const std::size_t from = i * prepared.share;
+        FramePiece& piece = pieces_[prepared.piece + i];
+        assemble(feed, prepared.piece + i, prepared.first + from,
+                 std::min(prepared.share, prepared.count - from));
+        piece.cover(constants_, records_, std::numeric_limits<std::size_t>::max(), options_.threads,
+                    band_);
+        if (options_.count_hits) hits_[thread].add(piece.chunk());
+      }
+      for (std::size_t from = next_vertex.fetch_add(kVertexRange); from < needed;
+           from = next_vertex.fetch_add(kVertexRange)) {
+        kernels_.project(project_, *feed.source, from, std::min(kVertexRange, needed - from),
+                         records_.data());
+      }
+    });
+    projected = needed;
+    for (std::size_t i = 0; i < prepared.used; ++i) tell(pieces_[prepared.piece + i]);
+  }
+}
+
+std::vector<std::uint8_t> FrameEngine::Work::hits() const {
+  HS_CHECK(options_.count_hits);
+  HitPlane sum = hits_.front();
+  for (std::size_t i = 1; i < hits_.size(); ++i) sum.add(hits_[i]);
+  return sum.count();
+}
+
+// The kernels' counts; those of setup run on from the engines' first triangle.
+void FrameEngine::Work::add_counts() {
+  for (FrameCounts& counts : counts_) {
+    stats_.tiles_covered += counts.tiles;
+    stats_.samples_covered += counts.samples;
+    stats_.fragments += counts.fragments;
+    stats_.fragments_shaded += counts.shaded;
+    counts = {};
+  }
+  RasterStats now;
+  for (const FramePiece& piece : pieces_) count_triangles(piece.counts(), now);
+  stats_.triangles += now.triangles - setup_.triangles;
+  stats_.triangles_zero_area += now.triangles_zero_area - setup_.triangles_zero_area;
+  stats_.triangles_culled += now.triangles_culled - setup_.triangles_culled;
+  stats_.triangles_no_sample += now.triangles_no_sample - setup_.triangles_no_sample;
+  setup_ = now;
+}
+
+void FrameEngine::Work::add_geometry() {
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    for (const GeometryStats& from : {plain_[i].stats(), geometry_[i]}) {
+      geometry_sum_.triangles_in += from.triangles_in;
+      geometry_sum_.dropped_not_finite += from.dropped_not_finite;
+      geometry_sum_.outside += from.outside;
+      geometry_sum_.clipped += from.clipped;
+      geometry_sum_.triangles_out += from.triangles_out;
+    }
+    geometry_[i] = {};
+    plain_[i] = GeometryStage(constants_.frame, constants_.config);
+  }
+}
+
+}  // namespace halfspace
