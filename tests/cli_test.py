@@ -125,6 +125,25 @@ class Cli(unittest.TestCase):
             self.succeed("render", SCENES / "teapot.obj", "--out", self.out / name)
         self.assertEqual((self.out / "a.png").read_bytes(), (self.out / "b.png").read_bytes())
 
+    def test_level_bit_draws_and_counts_what_level_cycle_does(self):
+        for args in ((), ("--samples", "4"), ("--config", "tiny"), ("--shade", "flat"),
+                     ("--shade", "depth", "--cull", "back"), ("--eye", "0.3,0.5,0.2")):
+            seen = []
+            for level in (("--level", "cycle"), ("--level", "bit"), ("--threads", "1"),
+                          ("--threads", "3")):
+                stats = self.out / "s.json"
+                self.succeed("render", SCENES / "bunny.obj", "--out", self.out / "b.png",
+                             "--size", "180x140", "--stats", stats, *args, *level)
+                told = json.loads(stats.read_text())
+                for key in ("level", "cycles", "wall_seconds", "simulate_seconds"):
+                    told.pop(key, None)
+                told = {k: v for k, v in told.items() if "per_second" not in k}
+                told = {k: v for k, v in told.items() if "cycle" not in k}
+                seen.append(((self.out / "b.png").read_bytes(), told))
+            for other in seen[1:]:
+                self.assertEqual(seen[0][0], other[0], args)
+                self.assertEqual(seen[0][1], other[1], args)
+
     def test_tcov_renders_one_case_or_a_sheet(self):
         self.succeed("render", PUBLIC, "--case", 0, "--out", self.out / "one.png")
         self.assertEqual(png_size(self.out / "one.png"), (231, 249))
