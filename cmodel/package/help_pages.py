@@ -144,7 +144,8 @@ def completion(commands):
         if command.children():
             lines.append(offer(command.words, command.children()))
     lines += ["    esac", "  fi",
-              "  [[ -n $words ]] && mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$current\")",
+              "  [[ -n $words ]] &&",
+              "    mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$current\")",
               "  return 0", "}",
               "# Where there is nothing to offer, file names.",
               "complete -o default -F _halfspace halfspace"]
