@@ -19,7 +19,7 @@ lab::RealScene open_real(const SceneOptions& options) {
     return lab::tcov_scene(options.path, options.case_id);
   }
   const FrameSize size = frame_size(options.size, config);
-  return lab::mesh_scene(options.path, size.width, size.height, options.camera());
+  return lab::mesh_scene(options.path, size.width, size.height, options.camera.options());
 }
 
 }  // namespace

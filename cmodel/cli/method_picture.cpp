@@ -51,6 +51,41 @@ Image picture_of_canvas_depth(const methods::Canvas& canvas) {
   return picture_of_depth(depth, canvas.width(), canvas.height(), kFar);
 }
 
+methods::Color color_of(const std::array<double, kMaxAttributes>& attribute) {
+  return {attribute[0], attribute[1], attribute[2]};
+}
+
+// A frame before snapping, in every form that a method may take.
+methods::Drawing drawing_of_scene(const Scene& scene, std::size_t index, const FrameState& frame) {
+  if (scene.camera(index) == nullptr) {
+    std::vector<methods::Facet> facets;
+    scene.real(index, [&](const RealTriangle& triangle) {
+      methods::Facet& facet = facets.emplace_back();
+      for (std::size_t i = 0; i < 3; ++i) {
+        facet[i].x = triangle.vertex[i].x;
+        facet[i].y = triangle.vertex[i].y;
+        facet[i].color = color_of(triangle.vertex[i].attribute);
+      }
+    });
+    return methods::drawing_of(facets, frame.width, frame.height);
+  }
+  std::vector<methods::ClipFacet> clip;
+  std::vector<methods::WorldFacet> world;
+  scene.faces(index, [&](const MeshFace& face) {
+    methods::ClipFacet& clipped = clip.emplace_back();
+    methods::WorldFacet& placed = world.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const methods::Color color = color_of(face.clip[i].attribute);
+      clipped[i] = {face.clip[i].position, color};
+      placed[i] = {face.world[i], color};
+    }
+  });
+  methods::Drawing out = methods::drawing_of(std::move(clip), frame.width, frame.height);
+  out.view.camera = *scene.camera(index);
+  out.world = std::move(world);
+  return out;
+}
+
 }  // namespace
 
 const methods::Method& find_method(const std::string& name, const std::string& shade) {
@@ -73,7 +108,7 @@ const methods::Method& find_method(const std::string& name, const std::string& s
 
 Image method_picture(const Scene& scene, std::size_t index, const FrameState& frame,
                      const methods::Method& method, const std::string& shade, RunStats& stats) {
-  const methods::Drawing drawing = scene.drawing(index, frame);
+  const methods::Drawing drawing = drawing_of_scene(scene, index, frame);
   methods::Canvas canvas(frame.width, frame.height, 0, 0, kBudget);
   const bool attributes = method.attributes && shade != "coverage";
   if (attributes) canvas.keep_attributes();

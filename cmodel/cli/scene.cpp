@@ -113,25 +113,15 @@ class MeshScene : public Scene {
     stats.simulate_seconds += seconds_since(start);
   }
 
-  methods::Drawing drawing(std::size_t index, const FrameState& frame) const override {
+  const Camera* camera(std::size_t index) const override { return &shader_[index].camera(); }
+
+  void faces(std::size_t index, const FaceSink& sink) const override {
     VertexCache vertices(shader_[index]);
-    std::vector<methods::ClipFacet> clip;
-    std::vector<methods::WorldFacet> world;
     for (const auto& triangle : mesh_.triangles) {
-      const std::array<ClipVertex, 3> corner = corners(triangle, index, vertices);
-      methods::ClipFacet& clipped = clip.emplace_back();
-      methods::WorldFacet& placed = world.emplace_back();
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto& a = corner[i].attribute;
-        const methods::Color color{a[0], a[1], a[2]};
-        clipped[i] = {corner[i].position, color};
-        placed[i] = {glm::dvec3(mesh_.positions[triangle[i]]), color};
-      }
+      MeshFace face{corners(triangle, index, vertices), {}};
+      for (std::size_t i = 0; i < 3; ++i) face.world[i] = glm::dvec3(mesh_.positions[triangle[i]]);
+      sink(face);
     }
-    methods::Drawing out = methods::drawing_of(std::move(clip), frame.width, frame.height);
-    out.view.camera = shader_[index].camera();
-    out.world = std::move(world);
-    return out;
   }
 
  private:
@@ -209,28 +199,18 @@ class TcovScene : public Scene {
     std::uint64_t number = 0;
     for (const auto& source : cases_[index].triangles) {
       RealTriangle triangle;
+      const auto color = triangle_color(number);
       triangle.index = number++;
       for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          triangle.vertex[i].attribute[c] = std::ldexp(color[c], -kAttributeFractionBits);
+        }
         triangle.vertex[i].x = std::ldexp(static_cast<double>(source[2 * i]), -kTcovFractionBits);
         triangle.vertex[i].y =
             std::ldexp(static_cast<double>(source[2 * i + 1]), -kTcovFractionBits);
       }
       sink(triangle);
     }
-  }
-
-  methods::Drawing drawing(std::size_t index, const FrameState& frame) const override {
-    std::vector<methods::Facet> facets;
-    for (const auto& triangle : cases_[index].triangles) {
-      const auto color = triangle_color(facets.size());
-      methods::Facet& facet = facets.emplace_back();
-      for (std::size_t i = 0; i < 3; ++i) {
-        facet[i].x = std::ldexp(static_cast<double>(triangle[2 * i]), -8);
-        facet[i].y = std::ldexp(static_cast<double>(triangle[2 * i + 1]), -8);
-        for (std::size_t c = 0; c < 3; ++c) facet[i].color[c] = std::ldexp(color[c], -8);
-      }
-    }
-    return methods::drawing_of(facets, frame.width, frame.height);
   }
 
  private:

@@ -13,11 +13,17 @@
 #include "../camera.hpp"
 #include "../geometry.hpp"
 #include "../io/stats_json.hpp"
-#include "../methods/method.hpp"
 #include "real_triangles.hpp"
 #include "vertex_shader.hpp"
 
 namespace halfspace {
+
+// A triangle of a mesh, in clip space and where it stands in the world.
+struct MeshFace {
+  std::array<ClipVertex, 3> clip;
+  std::array<glm::dvec3, 3> world;
+};
+using FaceSink = std::function<void(const MeshFace&)>;
 
 using TriangleSink = std::function<void(const ShadedTriangle&)>;
 
@@ -44,8 +50,9 @@ class Scene {
   // The same into a frame engine, many triangles at a time.
   virtual void draw(std::size_t index, const FrameState& frame, const Config& config,
                     RunStats& stats, FrameEngine& engine) const;
-  // The same frame before snapping, in every form that a method of the gallery may take.
-  virtual methods::Drawing drawing(std::size_t index, const FrameState& frame) const = 0;
+  // A mesh's camera, and its triangles before clipping, in order; null and none for a TCOV case.
+  virtual const Camera* camera(std::size_t) const { return nullptr; }
+  virtual void faces(std::size_t, const FaceSink&) const {}
 };
 
 // A mesh file (OBJ, glTF, GLB, PLY, STL). width x height in pixels. One frame for each of `views`
