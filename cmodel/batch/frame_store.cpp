@@ -78,18 +78,19 @@ void FrameStore::resolve_line(std::uint32_t row, std::size_t first_lane, std::ui
   const std::size_t grid = static_cast<std::size_t>(config_.grid());
   const auto width = static_cast<std::size_t>(width_);
   const std::uint8_t* live = live_.data() + std::size_t{row} * columns_;
-  const std::uint32_t* from = rows_[row].get() + lanes_ + first_lane;
+  const std::uint32_t* tiles = row_[row];  // null when nothing was drawn
   std::uint32_t column = 0;
   while (column < columns_) {
     const std::uint32_t dead = column;
     while (column < columns_ && live[column] == 0) ++column;
     std::fill(to + dead * grid, to + std::min(column * grid, width), background_);
     for (; column < columns_ && live[column] != 0; ++column) {
-      const std::uint32_t* color = from + column * tile_words_;
+      const std::uint32_t* tile = tiles + column * tile_words_;
+      const std::uint32_t* color = tile + lanes_ + first_lane;
       const std::size_t count = std::min(grid, width - column * grid);
       if (config_.samples > 1) {
         for (std::size_t i = 0; i < count; ++i) {
-          to[column * grid + i] = averaged(color - lanes_ - first_lane, first_lane + i);
+          to[column * grid + i] = averaged(tile, first_lane + i);
         }
       } else if (count == 8) {
         std::memcpy(to + column * 8, color, 32);

@@ -114,6 +114,7 @@ void FrameEngine::Work::draw(std::span<const ShadedTriangle> triangles) {
 
 void FrameEngine::Work::draw(const VertexSource& source,
                              std::span<const TriangleIndices> triangles) {
+  HS_CHECK(source.size() < Assembly::kExtra);
   constants_.packed = false;
   if (records_.size() < source.size() + kVertexSlack) {
     records_.resize(source.size() + kVertexSlack);
