@@ -226,14 +226,16 @@ class BinWriter {
     g.split = add("split.", numbers(levels - 1, "level") + Labels{"never"});
     const int reached = config_.viewport_bits - config_.node_log2(1);  // log2 of the root's lanes
     const int grid = config_.grid();
-    g.child = add("node.", cross(numbers(levels - 1, "level"), numbers(config_.lanes(), "child")),
-                  [=, this](std::size_t i) {
-                    const auto lane = static_cast<int>(i) % config_.lanes();
-                    const bool root = static_cast<int>(i) < config_.lanes();
-                    const bool beyond =
-                        root && ((lane % grid) >> reached != 0 || (lane / grid) >> reached != 0);
-                    return beyond ? "the root is wider than the viewport: no pixel is there" : "";
-                  });
+    const Reason beyond = [=, this](std::size_t i) {
+      const auto lane = static_cast<int>(i) % config_.lanes();
+      const bool root = static_cast<int>(i) < config_.lanes();
+      return root && ((lane % grid) >> reached != 0 || (lane / grid) >> reached != 0)
+                 ? "the root is wider than the viewport: no pixel is there"
+                 : "";
+    };
+    const Labels level_names = numbers(levels - 1, "level");
+    g.child = add("node.", cross(level_names, numbers(config_.lanes(), "child")), beyond);
+    g.reject = add("node.", cross(level_names, numbers(config_.lanes(), "reject")), beyond);
     g.dead = add("node.dead.", numbers(levels - 1, "level"));
     if (levels > 1) g.all = add("node.all.", {fmt::format("level{}", levels - 2)});
     g.saturate = add(

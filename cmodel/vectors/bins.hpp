@@ -74,6 +74,7 @@ class BinModel {
     std::size_t frame = 0;     // width_one width_most width_odd height_one height_most height_odd
     std::size_t split = 0;     // level 0.., never
     std::size_t child = 0;     // level x lane
+    std::size_t reject = 0;    // the same
     std::size_t dead = 0;      // level
     std::size_t all = 0;       // the level above the leaf
     std::size_t saturate = 0;  // level 0.. x edge

@@ -24,6 +24,10 @@ bool TriangleSampler::follow(const Node& node, int level, std::optional<int>& sp
   if (level == config_.levels() - 2 && std::popcount(live) == config_.lanes()) hits_.add(g_.all);
   const int child_log2 = config_.node_log2(level + 1);
   const std::int64_t greatest = (std::int64_t{1} << (config_.node_bits(child_log2) - 1)) - 1;
+  const GridMask box = box_mask(node.x, node.y, child_log2, setup_->box, config_);
+  for (GridMask rest = box & ~live; rest != 0; rest &= rest - 1) {
+    hits_.add(g_.reject + index(level * config_.lanes() + std::countr_zero(rest)));
+  }
   bool covered = false;
   for (GridMask rest = live; rest != 0; rest &= rest - 1) {
     const int bit = std::countr_zero(rest);

@@ -24,7 +24,7 @@ class Director {
         one_(std::int64_t{1} << config.subpixel_bits) {}
 
   std::vector<Triangle> make() {
-    switch (random_.in(0, 9)) {
+    switch (random_.in(0, 10)) {
       case 0: return {pin()};
       case 1: return tied_pair();
       case 2: return {on_samples()};
@@ -34,6 +34,7 @@ class Director {
       case 6: return {phased()};
       case 7: return {degenerate()};
       case 8: return {upright()};
+      case 9: return {crossing()};
       default: {
         const auto shape = static_cast<std::size_t>(random_.in(0, kShapes.size() - 1));
         return {random_triangle(random_, kShapes[shape], frame_, config_)};
@@ -178,6 +179,18 @@ class Director {
       return triangle(legal(x, y), legal(x, y + length), legal(x + away, y + end));
     }
     return triangle(legal(x, y), legal(x + length, y), legal(x + end, y + away));
+  }
+
+  // Around a corner of four nodes of some level, of which it may miss one.
+  Triangle crossing() {
+    const auto level = static_cast<int>(random_.in(0, std::max(config_.levels() - 2, 0)));
+    const int side = std::min(config_.node_log2(level + 1), config_.viewport_bits);
+    const auto corner = [&](int size) { return random_.in(0, (size - 1) >> side) << side; };
+    const std::int64_t x = corner(frame_.width) * one_, y = corner(frame_.height) * one_;
+    const std::int64_t reach = random_.in(1, 2 * config_.grid()) * one_;
+    const Point a = legal(x + near(reach), y + near(reach));
+    const Point b = legal(x + near(reach), y + near(reach));
+    return triangle(a, b, legal(x + near(reach), y + near(reach)));
   }
 
   // A vertex with a phase next to 0, 1/2 or 1.
