@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-#include <set>
+#include <nlohmann/json.hpp>
 
-#include "bins.hpp"
-#include "goal.hpp"
 #include "io/error.hpp"
 #include "io/vectors_format.hpp"
 #include "io/vectors_meta.hpp"
 #include "packets_of.hpp"
 #include "stimulus.hpp"
 #include "vector_builder.hpp"
-
-#include <nlohmann/json.hpp>
 
 namespace halfspace {
 namespace {
@@ -202,134 +196,6 @@ TEST(Vectors, IllegalStimulusIsRefusedBeforeAStageSeesIt) {
   EXPECT_TRUE(refused(set, ErrorCode::kVectorInput));
   set.records.clear();
   EXPECT_TRUE(refused(set, ErrorCode::kVectorsEmpty));
-}
-
-std::set<std::string> hit_names(const Config& config, const FrameState& frame,
-                                const std::vector<Triangle>& triangles) {
-  const BinModel model(config);
-  BinSet hits = model.none();
-  model.sample(frame, triangles, hits);
-  std::set<std::string> names;
-  for (std::size_t i = 0; i < model.bins().size(); ++i) {
-    if (hits.has(i)) names.insert(model.bins()[i].name);
-  }
-  return names;
-}
-
-Triangle in_pixels(std::array<double, 6> v, const Config& config) {
-  return {{snap_px(v[0], v[1], config), snap_px(v[2], v[3], config), snap_px(v[4], v[5], config)},
-          0};
-}
-
-TEST(Bins, AQuadOnPixelCentresHitsItsTies) {
-  const FrameState frame{64, 64, Cull::kNone};
-  const auto names = hit_names(kTiny, frame,
-                               {in_pixels({1.5, 1.5, 9.5, 1.5, 9.5, 9.5}, kTiny),
-                                in_pixels({1.5, 1.5, 9.5, 9.5, 1.5, 9.5}, kTiny)});
-  for (const char* name :
-       {"tie.shared.SW", "tie.edge.S", "tie.edge.W", "tie.edge.SW", "tie.edge.NE", "tie.edge.E",
-        "tie.edge.N", "tie.vertex0.owned", "tie.vertex1.lost", "cull.none.cw"}) {
-    EXPECT_EQ(names.count(name) + names.count("tie.shared.NE"), 1u) << name;
-  }
-  EXPECT_EQ(names.count("tie.edge.SE"), 0u);
-}
-
-TEST(Bins, OneLaneRowAndColumnAreTold) {
-  const FrameState frame{64, 64, Cull::kNone};
-  EXPECT_EQ(hit_names(kTiny, frame, {in_pixels({5.25, 6.25, 5.75, 6.25, 5.5, 6.75}, kTiny)})
-                .count("mask.lane9"),
-            1u);
-  EXPECT_EQ(
-      hit_names(kTiny, frame, {in_pixels({4, 6.25, 30, 6.25, 30, 6.75}, kTiny)}).count("mask.row2"),
-      1u);
-  EXPECT_EQ(hit_names(kTiny, frame, {in_pixels({5.25, 4, 5.75, 30, 5.25, 30}, kTiny)})
-                .count("mask.column1"),
-            1u);
-}
-
-// Every triangle with vertices on the lattice, frames of several sizes.
-void exhaust(const Config& config, const std::vector<FrameState>& frames) {
-  const BinModel model(config);
-  BinSet hits = model.none();
-  std::vector<Point> points;
-  for (std::int64_t y = config.coordinate_min(); y <= config.coordinate_max(); ++y) {
-    for (std::int64_t x = config.coordinate_min(); x <= config.coordinate_max(); ++x) {
-      points.push_back({static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)});
-    }
-  }
-  for (const FrameState& frame : frames) {
-    for (std::size_t a = 0; a < points.size(); ++a) {
-      for (std::size_t b = a; b < points.size(); ++b) {
-        for (std::size_t c = b; c < points.size(); ++c) {
-          const std::array<Triangle, 2> both{
-              {{{points[a], points[b], points[c]}, 0}, {{points[a], points[c], points[b]}, 0}}};
-          model.sample(frame, both, hits);
-        }
-      }
-    }
-  }
-  std::size_t claimed = 0;
-  for (std::size_t i = 0; i < model.bins().size(); ++i) {
-    const Bin& bin = model.bins()[i];
-    claimed += bin.reason.empty() ? 0u : 1u;
-    EXPECT_FALSE(hits.has(i) && !bin.reason.empty()) << bin.name << ": " << bin.reason;
-  }
-  EXPECT_GT(claimed, 10u);
-  EXPECT_GT(hits.count(), model.reachable() / 3);
-}
-
-TEST(Bins, NoTriangleOfASmallLatticeHitsAnUnreachableBin) {
-  Config config{.subpixel_bits = 0, .viewport_bits = 3, .guard_bits = 0, .grid_log2 = 2};
-  exhaust(config, {{8, 8, Cull::kNone}, {1, 1, Cull::kNone}, {5, 3, Cull::kNone}});
-  config.samples = 2;
-  exhaust(config, {{8, 8, Cull::kNone}, {3, 5, Cull::kNone}});
-  config.samples = 1;
-  config.guard_bits = 3;
-  exhaust(config, {{4, 4, Cull::kNone}});
-  config = {.subpixel_bits = 1, .viewport_bits = 3, .guard_bits = 0, .grid_log2 = 3};
-  exhaust(config, {{8, 3, Cull::kNone}});
-}
-
-TEST(Goal, AMinimalSetHitsWhatTheSearchHit) {
-  const BinModel model(kTiny);
-  const auto units = search_goal(model, 1.0, 2, 20000, kSeed, [](std::size_t) {});
-  BinSet searched = model.none();
-  std::vector<std::size_t> met(model.bins().size());
-  for (const SampledUnit& unit : units) searched.add(unit.hits);
-  for (const std::size_t times : {1u, 2u}) {
-    const auto chosen = minimal_units(units, times, model);
-    BinSet kept = model.none();
-    std::fill(met.begin(), met.end(), 0u);
-    for (const SampledUnit& unit : chosen) {
-      kept.add(unit.hits);
-      for (std::size_t i = 0; i < met.size(); ++i) met[i] += unit.hits.has(i) ? 1u : 0u;
-    }
-    EXPECT_EQ(kept.count(), searched.count());
-    EXPECT_EQ(kept.count_common(searched), searched.count());
-    EXPECT_LT(chosen.size(), units.size() / 2);
-    // Every unit is needed by some bin.
-    for (const SampledUnit& unit : chosen) {
-      bool needed = false;
-      for (std::size_t i = 0; i < met.size(); ++i) needed |= unit.hits.has(i) && met[i] <= times;
-      EXPECT_TRUE(needed);
-    }
-  }
-}
-
-TEST(Goal, TheSameSeedGivesTheSameTriangles) {
-  const BinModel model(kMsaa4);
-  const auto draw = [&](std::uint64_t seed) {
-    const auto units = search_goal(model, 0.5, 1, 3000, seed, [](std::size_t) {});
-    return by_frame(minimal_units(units, 1, model), true, kMsaa4);
-  };
-  const auto first = draw(3), second = draw(3), other = draw(4);
-  ASSERT_EQ(first.size(), second.size());
-  bool differs = first.size() != other.size();
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    EXPECT_TRUE(first[i].triangles == second[i].triangles);
-    differs = differs || !(first[i].triangles == other[i].triangles);
-  }
-  EXPECT_TRUE(differs);
 }
 
 }  // namespace
