@@ -122,7 +122,7 @@ Image method_picture(const Scene& scene, std::size_t index, const FrameState& fr
   }
   const std::vector<std::uint8_t> hits = saturated(canvas.hits());
   stats.crc = crc32_of(hits, stats.crc);
-  stats.raster.triangles += methods::primitives(method, drawing);
+  stats.geometry.triangles_in += methods::primitives(method, drawing);
   ++stats.cases;
   if (!attributes) return picture_of_counts(hits, frame.width, frame.height);
   return shade == "depth" ? picture_of_canvas_depth(canvas) : picture_of_colors(canvas);

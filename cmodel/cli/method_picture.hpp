@@ -16,8 +16,8 @@ namespace halfspace {
 const methods::Method& find_method(const std::string& name, const std::string& shade);
 
 // One frame, geometry before snapping. Without attributes the picture is that of the hit counts.
-// Adds to stats.cases, stats.crc (of the hit counts, saturated at 255), stats.raster.triangles (the
-// primitives drawn) and stats.simulate_seconds. Throws Error(kMethodGaveUp).
+// Adds to stats.cases, stats.crc (of the hit counts, saturated at 255), stats.geometry.triangles_in
+// (the primitives drawn) and stats.simulate_seconds. Throws Error(kMethodGaveUp).
 Image method_picture(const Scene& scene, std::size_t index, const FrameState& frame,
                      const methods::Method& method, const std::string& shade, RunStats& stats);
 
