@@ -20,6 +20,7 @@ matplotlib.rcParams.update({
     "axes.grid": True, "grid.alpha": 0.3, "axes.spines.top": False, "axes.spines.right": False,
     "legend.frameon": False, "figure.facecolor": "white"})
 
+SCENES = pathlib.Path(__file__).resolve().parents[1] / "tests" / "scenes"
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import chart_figures  # noqa: E402
@@ -38,8 +39,13 @@ def save(figure, path):
 
 def measure(program, name, data):
     """Writes the data of a chart; false when this program cannot measure it."""
+    scene = SCENES / "bunny.obj"
     command = {"stability": [program, "stability", "--out", data],
-               "peers": [program, "bench", "--out", data]}
+               "ladder": [program, "chart", name, "--scene", scene, "--size", "1280x960",
+                          "--out", data],
+               "peers": [program, "bench", "--engine", "scalar", "bit", "coverage", "cycle",
+                         "llvmpipe", "--threads", "1", "--scale", "0.2", "--workload", "small",
+                         "medium", "large", "fullscreen", "sliver", "--out", data]}
     done = subprocess.run(command.get(name, [program, "chart", name, "--out", data]),
                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     if done.returncode != 0:

@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import random
+import re
 import struct
 import subprocess
 import tempfile
@@ -53,19 +54,19 @@ class Program(unittest.TestCase):
     def tearDown(self):
         self.folder.cleanup()
 
-    def run_program(self, *args):
+    def run_program(self, *args, environment=None):
         return subprocess.run([PROGRAM, *map(str, args)], capture_output=True, text=True,
-                              timeout=300)
+                              timeout=300, env=environment)
 
     def succeed(self, *args):
         done = self.run_program(*args)
         self.assertEqual(done.returncode, 0, done.stderr)
         return done
 
-    def refuse(self, code, *args, says=""):
+    def refuse(self, code, *args, says="", environment=None):
         """One line with the code, exit status 2, and no file left behind."""
         before = set(self.out.iterdir())
-        done = self.run_program(*args)
+        done = self.run_program(*args, environment=environment)
         self.assertEqual(done.returncode, 2, f"{args}: {done.stderr}")
         self.assertRegex(done.stderr, rf"\Ahalfspace: error\[{code}\]: [^\n]+\n\Z", str(args))
         self.assertIn(says, done.stderr)
@@ -147,6 +148,109 @@ class Explain(Program):
         self.refuse("HS001", "explain", PUBLIC, 1, 1, says="--case")
         self.refuse("HS001", "explain", teapot, 1)
         self.refuse("HS010", "explain", self.out / "none.obj", 1, 1)
+
+
+class Stability(Program):
+    def test_a_cell_says_how_much_is_wrong_and_how(self):
+        data = self.out / "s.json"
+        self.succeed("stability", "--method", "halfspace_s8", "--method", "walk_closed",
+                     "--suite", "scanline", "--out", data)
+        told = json.loads(data.read_text())
+        right, wrong = told["cells"]
+        self.assertEqual((right["method"], right["wrong_ppm"]), ("halfspace_s8", 0))
+        self.assertGreater(wrong["wrong_ppm"], 1000)
+        case = wrong["cases"][0]
+        self.assertEqual(case["wrong"], case["gaps"] + case["doubles"])
+        table = self.succeed("stability", "--method", "walk_closed", "--suite", "scanline").stdout
+        self.assertIn("walk_closed", table)
+
+    def test_order_dependence_is_marked(self):
+        data = self.out / "s.json"
+        self.succeed("stability", "--method", "bary_area_float", "--suite", "order", "--out", data)
+        self.assertEqual(json.loads(data.read_text())["cells"][0]["marks"], ["order"])
+
+    def test_the_worst_case_is_a_picture(self):
+        png = self.out / "w.png"
+        said = self.succeed("stability", "--explain", "edge_double_strict/shared_edges",
+                            "--picture", png).stdout
+        self.assertIn("22 of 64 pixels wrong", said)
+        missing = sum(row[i:i + 3] == bytearray((214, 44, 160)) for row in png_pixels(png)
+                      for i in range(0, len(row), 3))
+        self.assertGreater(missing, 22 * 30)  # 9 x 9 each, less the outlines
+
+    def test_every_suite_is_listed(self):
+        listed = self.succeed("stability", "--list").stdout
+        for name in ("shared_edges", "slivers", "offsets", "w_to_zero", "perspective"):
+            self.assertIn(name, listed)
+
+    def test_bad_options(self):
+        png = self.out / "w.png"
+        self.refuse("HS082", "stability", "--suite", "none", says="--suite")
+        self.refuse("HS082", "stability", "--method", "none", says="--method")
+        self.refuse("HS082", "stability", "--explain", "none/slivers", "--picture", png)
+        self.refuse("HS082", "stability", "--explain", "line_dda/slivers", "--picture", png,
+                    says="takes lines")
+        self.refuse("HS001", "stability", "--explain", "walk_closed", "--picture", png)
+        self.refuse("HS001", "stability", "--explain", "walk_closed/slivers")
+        self.refuse("HS001", "stability", "--picture", png)
+        self.refuse("HS030", "stability", "--out", self.out / "no" / "s.json")
+
+
+class Chart(Program):
+    SCENE = (SCENES / "cube.gltf", "--size", "96x72")
+
+    def test_each_chart_is_measured_on_a_scene(self):
+        names = [line.split()[0] for line in
+                 self.succeed("chart", "--list").stdout.splitlines()]
+        self.assertGreaterEqual(len(names), 7)
+        for name in set(names) - {"stability", "methods"}:
+            data = self.out / f"{name}.json"
+            self.succeed("chart", name, "--scene", *self.SCENE, "--out", data)
+            self.assertEqual(json.loads(data.read_text())["chart"], name)
+
+    def test_a_chart_is_drawn_where_matplotlib_is(self):
+        there = subprocess.run(["/usr/bin/python3", "-c", "import matplotlib"],
+                               capture_output=True).returncode == 0
+        svg = self.out / "a.svg"
+        arguments = ("chart", "accumulator", "--scene", *self.SCENE, "--out", svg)
+        if not there:
+            return self.refuse("HS083", *arguments)
+        self.succeed(*arguments)
+        self.assertIn("<svg", svg.read_text())
+        self.assertEqual([p.name for p in self.out.iterdir()], ["a.svg"])
+
+    def test_bad_options(self):
+        out = self.out / "x.json"
+        self.refuse("HS084", "chart", "none", "--out", out)
+        self.refuse("HS084", "chart", "ladder", "--out", out)
+        self.refuse("HS001", "chart", "subpixel", "--out", self.out / "x.txt")
+        self.refuse("HS001", "chart", "subpixel")
+        self.refuse("HS010", "chart", "subpixel", "--scene", self.out / "n.obj", "--out", out)
+        self.refuse("HS041", "chart", "subpixel", "--scene", PUBLIC, "--out", out, says="--case")
+        self.refuse("HS083", "chart", "subpixel", "--out", self.out / "x.svg",
+                    environment={**os.environ, "HALFSPACE_CHARTS": str(self.out / "no.py")})
+
+
+class Report(Program):
+    def test_the_page_needs_only_the_files_beside_it(self):
+        folder = self.out / "report"
+        self.succeed("report", SCENES / "cube.gltf", "--size", "96x72", "--out", folder)
+        page = (folder / "index.html").read_text()
+        self.assertNotIn("http", page)
+        for name in re.findall(r'src="([^"]+)"', page):
+            self.assertTrue((folder / name).is_file(), name)
+        for name in ("picture.png", "hits.png", "tiles.png"):
+            self.assertIn(name, page)
+        for words in ("What accuracy costs here", "Which level and configuration suffice",
+                      "Where a weaker method would fail", "Statistics"):
+            self.assertIn(words, page)
+
+    def test_bad_options(self):
+        self.refuse("HS001", "report", SCENES / "cube.gltf")
+        self.refuse("HS010", "report", self.out / "none.obj", "--out", self.out / "r")
+        self.refuse("HS001", "report", PUBLIC, "--out", self.out / "r", says="--case")
+        (self.out / "file").write_text("")
+        self.refuse("HS030", "report", SCENES / "cube.gltf", "--out", self.out / "file")
 
 
 if __name__ == "__main__":

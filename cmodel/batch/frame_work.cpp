@@ -264,6 +264,7 @@ void FrameEngine::Work::add_geometry() {
       geometry_sum_.dropped_not_finite += from.dropped_not_finite;
       geometry_sum_.outside += from.outside;
       geometry_sum_.clipped += from.clipped;
+      geometry_sum_.beyond_sides += from.beyond_sides;
       geometry_sum_.triangles_out += from.triangles_out;
     }
     geometry_[i] = {};

@@ -69,6 +69,7 @@ Action add_bench_command(CLI::App& program);
 Action add_vectors_command(CLI::App& program);
 Action add_fit_command(CLI::App& program);
 Action add_methods_command(CLI::App& program);
+Action add_report_command(CLI::App& program);
 Action add_stability_command(CLI::App& program);
 
 }  // namespace halfspace

@@ -26,6 +26,8 @@ nlohmann::ordered_json stability_data(const std::vector<std::string>&,
 
 std::string stability_table(const nlohmann::ordered_json&) { absent(); }
 
+Image scene_picture(const SceneOptions&, const std::string&) { absent(); }
+
 StabilityPicture stability_picture(const std::string&, const std::string&) { absent(); }
 
 }  // namespace halfspace

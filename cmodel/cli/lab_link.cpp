@@ -7,6 +7,7 @@
 
 #include "../io/error.hpp"
 #include "lab/charts.hpp"
+#include "lab/lab_picture.hpp"
 #include "lab/stability.hpp"
 #include "ladder_chart.hpp"
 
@@ -23,6 +24,15 @@ lab::RealScene open_real(const SceneOptions& options) {
 }
 
 }  // namespace
+
+Image scene_picture(const SceneOptions& options, const std::string& name) {
+  const lab::RealScene scene = open_real(options);
+  const lab::Suite suite = lab::scene_suite(scene);
+  for (const methods::Method& method : lab::lab_methods()) {
+    if (method.name == name) return lab::case_picture(method, suite, suite.make().front());
+  }
+  return {};
+}
 
 const std::vector<ChartKind>& chart_kinds() {
   static const std::vector<ChartKind> kinds{

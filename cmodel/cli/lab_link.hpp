@@ -42,4 +42,7 @@ struct StabilityPicture {
 };
 StabilityPicture stability_picture(const std::string& method, const std::string& suite);
 
+// The scene under one method, magnified where most is wrong. Throws as opening the scene does.
+Image scene_picture(const SceneOptions& scene, const std::string& method);
+
 }  // namespace halfspace

@@ -36,6 +36,7 @@ int run(int argc, char** argv) {
   actions.emplace_back("config", halfspace::add_config_command(program));
   actions.emplace_back("chart", halfspace::add_chart_command(program));
   actions.emplace_back("explain", halfspace::add_explain_command(program));
+  actions.emplace_back("report", halfspace::add_report_command(program));
   actions.emplace_back("stability", halfspace::add_stability_command(program));
   try {
     program.parse(argc, argv);

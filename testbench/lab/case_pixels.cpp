@@ -122,7 +122,8 @@ double CaseResult::ppm() const {
 CasePixels case_pixels(const Method& method, const Suite& suite, const SuiteCase& one,
                        int snapped_bits) {
   CasePixels out;
-  Canvas canvas = canvas_for(one, method.attributes);
+  const bool keeps = method.attributes && (suite.judge != Judge::kHits || suite.degenerate);
+  Canvas canvas = canvas_for(one, keeps);
   methods::draw(method, one.drawing, canvas);
   out.result.hung = canvas.exhausted();
   out.truth = true_hits_snapped(one, method.input(), snapped_bits);

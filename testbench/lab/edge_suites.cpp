@@ -183,10 +183,10 @@ void add_edge_suites(std::vector<Suite>& list) {
                   true, needle_fan});
   list.push_back({"zero_area", "collinear and repeated vertices",
                   "area 0: weights are 0/0, and a dropped upper bound fills the line", Judge::kHits,
-                  true, zero_area});
+                  true, zero_area, true});
   list.push_back({"least_area", "triangles of the least area",
                   "scale factors and areas next to 0: F/k and weights lose all digits",
-                  Judge::kHits, true, least_area});
+                  Judge::kHits, true, least_area, true});
   list.push_back({"axis_edges", "horizontal and vertical edges",
                   "slope 0 or infinite; both ends of a span on a centre", Judge::kHits, true,
                   axis_edges});

@@ -223,7 +223,7 @@ nlohmann::ordered_json stability_json(const std::vector<const Method*>& methods,
   return json;
 }
 
-nlohmann::ordered_json scene_stability(const RealScene& scene) {
+Suite scene_suite(const RealScene& scene) {
   Suite suite;
   suite.name = "scene";
   suite.title = scene.name;
@@ -236,6 +236,11 @@ nlohmann::ordered_json scene_stability(const RealScene& scene) {
     }
     return std::vector<SuiteCase>{area_case(scene.name, facets, {scene.width, scene.height})};
   };
+  return suite;
+}
+
+nlohmann::ordered_json scene_stability(const RealScene& scene) {
+  const Suite suite = scene_suite(scene);
   std::vector<const Method*> methods;
   for (const Method& method : lab_methods()) methods.push_back(&method);
   return stability_json(methods, {&suite}, [] {});

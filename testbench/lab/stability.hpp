@@ -38,6 +38,9 @@ struct Cell {
 // Empty when the method does not take what the suite has (its kind of input, or attributes).
 std::optional<Cell> run_cell(const methods::Method& method, const Suite& suite);
 
+// The scene as a suite of one case. The scene must outlive it.
+Suite scene_suite(const RealScene& scene);
+
 // One column: the scene's triangles under every method.
 nlohmann::ordered_json scene_stability(const RealScene& scene);
 

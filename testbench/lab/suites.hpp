@@ -51,6 +51,7 @@ struct Suite {
   Judge judge = Judge::kHits;
   bool exact = true;  // a method with Method::exact must have nothing wrong
   std::function<std::vector<SuiteCase>()> make;
+  bool degenerate = false;  // kHits: attributes are looked at too, for NaN
 };
 
 const std::vector<Suite>& suites();

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// halfspace report: one page about a scene, without network.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "../io/error.hpp"
+#include "../io/output_file.hpp"
+#include "../io/png_file.hpp"
+#include "command.hpp"
+#include "drawing_script.hpp"
+#include "lab_link.hpp"
+#include "level_run.hpp"
+#include "pictures.hpp"
+#include "progress.hpp"
+#include "report_html.hpp"
+#include "scene_options.hpp"
+
+namespace halfspace {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportOptions {
+  SceneOptions scene;
+  std::string out;
+};
+
+void make_folder(const std::string& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error || !fs::is_directory(path)) {
+    throw Error(ErrorCode::kFileWrite, path, "cannot create the folder");
+  }
+  check_writable((fs::path(path) / "index.html").string());
+}
+
+// The three pictures, and the statistics of level cycle.
+void draw_pictures(const Scene& scene, const fs::path& folder, ReportData& data) {
+  data.stats.command = "report";
+  data.stats.level = "cycle";
+  Rasterizer rasterizer(data.frame, data.config, DepthFunction::kLess, kBackground);
+  LevelRun run(
+      Level::kCycle, data.frame, data.config, data.stats,
+      [&](const ShadedTriangle& triangle, const SetupTriangle& setup) {
+        rasterizer.begin(triangle, setup);
+      },
+      [&](const CoverageTile& tile) { rasterizer.draw_tile(tile); });
+  TilePicture tiles(data.frame.width, data.frame.height, data.config);
+  RasterStats unused;
+  scene.draw(0, data.frame, data.config, data.stats, [&](const ShadedTriangle& triangle) {
+    run.draw(triangle);
+    rasterize(
+        triangle.triangle, data.frame, data.config, unused, [](const SetupTriangle&) {},
+        [&](const Node& node, int level, bool covered) { tiles.visit(node, level, covered); },
+        [](const CoverageTile&) {});
+  });
+  run.finish();
+  write_png((folder / "picture.png").string(), rasterizer.framebuffer().resolve());
+  write_png((folder / "hits.png").string(), picture_of_hits(rasterizer.hit_count()));
+  write_png((folder / "tiles.png").string(), tiles.image());
+}
+
+// Measures one chart; draws it beside the page where drawing is possible.
+nlohmann::ordered_json measure(const std::string& name, const ReportOptions& options, bool draw,
+                               ReportData& data) {
+  for (const ChartKind& kind : chart_kinds()) {
+    if (kind.name != name) continue;
+    nlohmann::ordered_json chart = chart_data(kind, options.scene);
+    if (draw) {
+      draw_chart(name, chart, (fs::path(options.out) / (name + ".svg")).string());
+      data.drawn.push_back(name);
+    }
+    return chart;
+  }
+  throw Error(ErrorCode::kChart, name, "is not a chart of this build");
+}
+
+bool can_draw() {
+  try {
+    require_drawing_script();
+    return true;
+  } catch (const Error& error) {
+    fmt::print(stderr, "halfspace: report without charts: {}\n", error.what());
+    return false;
+  }
+}
+
+// The method with the most wrong pixels, where it is wrong.
+void draw_worst(const ReportOptions& options, const ReportData& data) {
+  const auto& cells = data.stability["cells"];
+  const auto worst = std::max_element(cells.begin(), cells.end(), [](const auto& a, const auto& b) {
+    return a["wrong_ppm"].template get<double>() < b["wrong_ppm"].template get<double>();
+  });
+  if (worst == cells.end() || (*worst)["wrong_ppm"] == 0.0) return;
+  write_png((fs::path(options.out) / "worst.png").string(),
+            scene_picture(options.scene, (*worst)["method"].get<std::string>()));
+}
+
+int run_report(const ReportOptions& options) {
+  const Config config;
+  const std::unique_ptr<Scene> scene = options.scene.open_one(config, Lighting::kGouraud);
+  make_folder(options.out);
+  ReportData data;
+  data.scene = fs::path(options.scene.path).filename().string();
+  data.command = fmt::format("halfspace report {} --out {}", options.scene.path, options.out);
+  data.config = config;
+  data.frame = scene->frame(0, config);
+  const bool draw = can_draw();
+  draw_pictures(*scene, options.out, data);
+  Progress progress("measuring charts", 6);
+  const auto chart = [&](const char* name) {
+    progress.advance(1);
+    return measure(name, options, draw, data);
+  };
+  data.ladder = chart("ladder");
+  data.subpixel = chart("subpixel");
+  data.efficiency = chart("efficiency");
+  data.interpolation = chart("interpolation");
+  data.accumulator = chart("accumulator");
+  data.stability = chart("stability");
+  draw_worst(options, data);
+  OutputFile page((fs::path(options.out) / "index.html").string());
+  page.write(report_html(data));
+  page.commit();
+  fmt::print("{}\n", (fs::path(options.out) / "index.html").string());
+  return 0;
+}
+
+}  // namespace
+
+Action add_report_command(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("report", "A page about a scene: what accuracy costs, what suffices");
+  auto o = std::make_shared<ReportOptions>();
+  o->scene.add_to(*command);
+  command->add_option("--out", o->out, "Folder to write; index.html is written last")
+      ->required()
+      ->type_name("DIR");
+  command->footer(
+      "Charts need python3-matplotlib; without it the page has their figures as tables.\n"
+      "Example: halfspace report tests/scenes/teapot.obj --size 320x240 --out out/report");
+  return [o] { return run_report(*o); };
+}
+
+}  // namespace halfspace
