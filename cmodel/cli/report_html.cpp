@@ -107,8 +107,9 @@ std::string in_short(const ReportData& data) {
   out += fmt::format(
       "<li>Snapping: {} subpixel bits leave {:.0f} wrong pixels per million covered; ",
       data.config.subpixel_bits, subpixel_ppm(data.subpixel, data.config.subpixel_bits));
-  out += bits >= 0 ? fmt::format("<b>{} bits suffice for {:.0f}</b>.</li>\n", bits, kEnoughPpm)
-                   : fmt::format("even 12 do not reach {:.0f}.</li>\n", kEnoughPpm);
+  out += bits >= 0
+             ? fmt::format("<b>{} bits leave no more than {:.0f}</b>.</li>\n", bits, kEnoughPpm)
+             : fmt::format("even 12 do not reach {:.0f}.</li>\n", kEnoughPpm);
   const int needed = data.accumulator["scenes"][0]["needed_bits"];
   out += fmt::format(
       "<li>Edge values of this scene need <b>{} bits</b> at 8 subpixel bits; the configuration "
