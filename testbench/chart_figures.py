@@ -169,8 +169,8 @@ def ladder(data):
             label += f"\n({clocks:,.2g} Mclk/s)"
         left.text(i, speed[i] or least / 2, label, ha="center", va="bottom")
     left.set(yscale="log", ylabel="million covered pixels per CPU second", title="Speed",
-             ylim=(least / 4, max(speed) * 4))
-    ticks = [t for t in (0.01, 0.1, 1, 10, 100, 1000) if least / 4 <= t <= max(speed) * 4]
+             ylim=(least / 8, max(speed) * 5))
+    ticks = [t for t in (0.01, 0.1, 1, 10, 100, 1000) if least / 8 <= t <= max(speed) * 5]
     left.set_yticks(ticks, [f"{t:g}" for t in ticks])
     left.minorticks_off()
     left.grid(False, axis="x")
