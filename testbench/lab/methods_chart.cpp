@@ -50,7 +50,7 @@ Workload synthetic(int side, int timed, int judged, std::uint64_t seed) {
   const auto cells = [&](int count) {
     return area_case("separate", separate(seed, cell, count, 0), {cell * count, cell * count});
   };
-  const int mesh = std::max(64, 2 * side);
+  const int mesh = std::clamp(8 * side, 128, 1024);
   Workload work;
   work.name = std::to_string(side) + " px triangles";
   work.timed = cells(timed);
