@@ -52,18 +52,28 @@ namespace {
 
 constexpr FrameSize kSize{320, 240};
 
-// Bytes allocated on top of the loaded scene while it is drawn, at most.
-std::size_t drawing_bytes(Level level, double triangles) {
+// A mesh of at least that many triangles, loaded.
+std::unique_ptr<Scene> open_mesh(double triangles) {
   const std::filesystem::path path =
       std::filesystem::temp_directory_path() / ("memory_test_" + std::to_string(getpid()) + ".ply");
   write_bumpy_torus(path, triangles);
-  const std::unique_ptr<Scene> scene = open_scene(path, -1, kSize, {}, Lighting::kGouraud);
+  std::unique_ptr<Scene> scene = open_scene(path, -1, kSize, {}, Lighting::kGouraud);
   std::filesystem::remove(path);
   EXPECT_GE(scene->triangles(0), triangles);
+  return scene;
+}
 
+// Bytes allocated on top of the loaded scene while draw(scene, frame, stats) works, at most.
+template <class Draw>
+std::size_t drawing_bytes(double triangles, const Draw& draw) {
+  const std::unique_ptr<Scene> scene = open_mesh(triangles);
   const std::size_t before = live_bytes;
   peak_bytes = before;
-  const FrameState frame = scene->frame(0, kFull);
+  EXPECT_GT(draw(*scene, scene->frame(0, kFull)).samples_covered, 20000U);
+  return peak_bytes - before;
+}
+
+RasterStats draw_by_stages(Level level, const Scene& scene, const FrameState& frame) {
   RunStats stats;
   Rasterizer rasterizer(frame, kFull, DepthFunction::kLess, {});
   LevelRun run(
@@ -74,23 +84,38 @@ std::size_t drawing_bytes(Level level, double triangles) {
       [&](const CoverageTile& tile) {
         if (level != Level::kCoverage) rasterizer.draw_tile(tile);
       });
-  scene->draw(0, frame, kFull, stats, [&](const ShadedTriangle& triangle) { run.draw(triangle); });
+  scene.draw(0, frame, kFull, stats, [&](const ShadedTriangle& triangle) { run.draw(triangle); });
   run.finish();
-  EXPECT_GT(stats.raster.samples_covered, 20000U);
-  return peak_bytes - before;
+  return stats.raster;
 }
 
-class Memory : public testing::TestWithParam<Level> {};
-
-// A byte kept per triangle would be 400,000 here.
-TEST_P(Memory, DrawingTakesNoMoreForMoreTriangles) {
-  const auto few = static_cast<double>(drawing_bytes(GetParam(), 20000));
-  const auto many = static_cast<double>(drawing_bytes(GetParam(), 420000));
-  EXPECT_NEAR(many, few, 100000);
-  EXPECT_LT(many, 8e6);
+RasterStats draw_by_engine(const Scene& scene, const FrameState& frame) {
+  RunStats stats;
+  FrameEngine engine(frame, kFull);
+  scene.draw(0, frame, kFull, stats, engine);
+  return engine.stats();
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, Memory,
+// A byte kept per triangle would be 400,000.
+template <class Draw>
+void expect_no_more_for_more(const Draw& draw) {
+  const auto few = static_cast<double>(drawing_bytes(80000, draw));
+  const auto many = static_cast<double>(drawing_bytes(480000, draw));
+  EXPECT_LT(many, few + 100000);
+  EXPECT_LT(many, 20e6);
+}
+
+class MemoryOf : public testing::TestWithParam<Level> {};
+
+TEST_P(MemoryOf, DrawingTakesNoMoreForMoreTriangles) {
+  expect_no_more_for_more([](const Scene& scene, const FrameState& frame) {
+    return draw_by_stages(GetParam(), scene, frame);
+  });
+}
+
+TEST(Memory, FrameEngineTakesNoMoreForMoreTriangles) { expect_no_more_for_more(draw_by_engine); }
+
+INSTANTIATE_TEST_SUITE_P(Levels, MemoryOf,
                          testing::Values(Level::kCoverage, Level::kBit, Level::kCycle));
 
 }  // namespace

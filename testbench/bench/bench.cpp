@@ -6,11 +6,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <ctime>
 
+#include "agreement.hpp"
 #include "batch/coverage_engine.hpp"
-#include "batch/cycle_engine.hpp"
 #include "cli/progress.hpp"
 #include "entry.hpp"
 #include "io/error.hpp"
@@ -89,80 +88,6 @@ std::vector<BenchEntry> entries_of(const Workload& work, const BenchOptions& opt
   return out;
 }
 
-std::string name_of(const BenchRow& row) {
-  return fmt::format("{} {} {} {} threads, {} {}", row.engine, row.isa, row.work, row.threads,
-                     row.workload, row.size);
-}
-
-// What every engine must find on one workload. What the plain loop does not know, the first to
-// know says.
-class Agreement {
- public:
-  explicit Agreement(const Workload& work) : masks_(scalar_masks(work)) {
-    if (masks_.samples == 0) {
-      throw BenchMismatch("nothing was compared: " + work.name + " covers nothing");
-    }
-  }
-
-  void check(BenchRow& row, const BenchOutput& output) {
-    if (output.samples != masks_.samples) {
-      throw BenchMismatch(fmt::format("{}: covers {} samples, the plain loop {}", name_of(row),
-                                      output.samples, masks_.samples));
-    }
-    if (output.masks && *output.masks != masks_) {
-      throw BenchMismatch(name_of(row) + ": other masks than the plain loop's");
-    }
-    row.covered_samples = output.samples;
-    row.clocks = output.clocks;
-    if (output.clocks && !clocks_) clocks_ = output.clocks;
-    if (output.clocks && *output.clocks != *clocks_) {
-      throw BenchMismatch(fmt::format("{}: {} clocks, the engines before it {}", name_of(row),
-                                      *output.clocks, *clocks_));
-    }
-    if (output.hits && !hits_) hits_ = output.hits;
-    if (output.hits && *output.hits != *hits_) {
-      throw BenchMismatch(name_of(row) + ": other hits per pixel than the engines before it");
-    }
-    if (output.picture) compare(row, *output.picture);
-  }
-
-  double tiles() const { return static_cast<double>(masks_.tiles); }
-
- private:
-  void compare(BenchRow& row, const Image& picture) {
-    if (!picture_) {
-      picture_ = picture;
-      return;
-    }
-    if (row.engine != "llvmpipe") {
-      if (picture.pixel != picture_->pixel) {
-        throw BenchMismatch(name_of(row) + ": another picture than the engines before it");
-      }
-      return;
-    }
-    row.pixels_off = 0;
-    row.largest_difference = 0;
-    for (std::size_t i = 0; i < picture.pixel.size(); ++i) {
-      int most = 0;
-      for (std::size_t c = 0; c < 3; ++c) {
-        most = std::max(most, std::abs(picture.pixel[i][c] - picture_->pixel[i][c]));
-      }
-      *row.pixels_off += most > 1 ? 1u : 0u;
-      row.largest_difference = std::max(*row.largest_difference, most);
-    }
-    // Depths that differ in their last bits may show another of two surfaces, at a few pixels.
-    if (*row.pixels_off * 100 > picture.pixel.size()) {
-      throw BenchMismatch(fmt::format("{}: {} pixels are more than one level off engine bit's",
-                                      name_of(row), *row.pixels_off));
-    }
-  }
-
-  MaskSum masks_;
-  std::optional<std::uint64_t> clocks_;
-  std::optional<std::vector<std::uint8_t>> hits_;
-  std::optional<Image> picture_;
-};
-
 void finish(BenchRow& row, std::vector<double>& times, const Agreement& found) {
   std::sort(times.begin(), times.end());
   row.repetitions = static_cast<int>(times.size());
@@ -180,7 +105,7 @@ void bench_workload(const Workload& work, const BenchOptions& options,
   const auto runs = static_cast<std::uint64_t>(options.repetitions) + 1;
   Progress progress(fmt::format("timing {} {}x{}", work.name, work.frame.width, work.frame.height),
                     entries.size() * runs);
-  Agreement found(work);
+  Agreement found(work.name, scalar_masks(work));
   for (BenchEntry& entry : entries) {
     entry.row.workload = work.name;
     entry.row.size = fmt::format("{}x{}", work.frame.width, work.frame.height);
