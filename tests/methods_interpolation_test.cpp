@@ -54,6 +54,11 @@ TEST(Interpolation, GradientErrorGrowsByHalfAUnitPerStep) {
     const auto e = attribute_errors(method("shade_gradient_f" + std::to_string(bits)),
                                     std::span(&f, 1), false);
     EXPECT_NEAR(e.greatest, figure, 0.06 * figure) << bits;
+    // A gradient that fits adds nothing: what is left is the first value's own rounding.
+    f[1].color[0] = 1024 * 20 * std::ldexp(1.0, -bits);
+    const auto fits = attribute_errors(method("shade_gradient_f" + std::to_string(bits)),
+                                       std::span(&f, 1), false);
+    EXPECT_LE(fits.greatest, std::ldexp(0.5, -bits)) << bits;
   }
 }
 
