@@ -113,6 +113,18 @@ TEST(Vectors, CheckFindsALostAndAnAddedOutput) {
   }
 }
 
+TEST(Vectors, CheckFindsALostAndAnAddedOutputAtTheEnd) {
+  const VectorSet set = make_set(VectorStage::kHalfPlaneGrid, kTiny, 12, 0);
+  ASSERT_EQ(set.records.back().kind, RecordKind::kOut);
+  VectorSet lost = set, added = set;
+  lost.records.pop_back();
+  added.records.push_back(set.records.back());
+  const auto gone = check_vectors(lost), more = check_vectors(added);
+  ASSERT_TRUE(gone && more);
+  EXPECT_EQ(gone->record, lost.records.size());
+  EXPECT_EQ(more->record, set.records.size());
+}
+
 struct Clocks {
   std::vector<std::int64_t> accepts, tiles;
   void accepted(std::uint64_t clock) { accepts.push_back(static_cast<std::int64_t>(clock)); }

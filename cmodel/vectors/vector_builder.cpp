@@ -222,8 +222,6 @@ std::optional<VectorDifference> check_vectors(const VectorSet& set) {
     }
   }
   const VectorSet model = builder.finish();
-  // Outputs first: a wrong one also shifts the counts of its run.
-  std::optional<VectorDifference> count;
   for (std::size_t i = 0; i < set.records.size() && i < model.records.size(); ++i) {
     const VectorRecord& file = set.records[i];
     if (file == model.records[i]) continue;
@@ -232,10 +230,8 @@ std::optional<VectorDifference> check_vectors(const VectorSet& set) {
           i, fmt::format("{}: the model has a record of kind {} here", record_place(set, i),
                          kind_name(model.records[i].kind))};
     }
-    VectorDifference difference{
+    return VectorDifference{
         i, record_place(set, i) + ": " + first_field(file, model.records[i], set.meta)};
-    if (file.kind != RecordKind::kRun) return difference;
-    if (!count) count = difference;
   }
   if (set.records.size() < model.records.size()) {
     return VectorDifference{set.records.size(),
@@ -244,7 +240,7 @@ std::optional<VectorDifference> check_vectors(const VectorSet& set) {
   if (set.records.size() > model.records.size()) {
     return VectorDifference{model.records.size(), "the model has no output here"};
   }
-  return count;
+  return std::nullopt;
 }
 
 }  // namespace halfspace
