@@ -36,7 +36,7 @@ def methods(data):
         axis.step(x + [max(p["cpu_ns_per_triangle"] for p in panel["points"])], y + [y[-1]],
                   where="post", color="#2d3748", linewidth=1, zorder=2, label="Pareto frontier")
         for n, p in enumerate(front):
-            axis.annotate(p["method"], (x[n], y[n]), (0, -11 - 9 * (n % 2)), ha="left",
+            axis.annotate(p["method"], (x[n], y[n]), (3, 5) if n % 2 else (0, -12), ha="left",
                           textcoords="offset points", fontsize=7)
         axis.set(xscale="log", yscale="log", xlabel="CPU time, ns per triangle",
                  title=f"{panel['name'].split('/')[-1]} ({panel['triangles']:,} drawn)")
@@ -91,7 +91,7 @@ def stability(data):
     bar.set_label("wrong pixels per million covered; green: 0")
     axes.set_xlabel("grey: the method takes no such input.  N: NaN, X: crash, H: hang, "
                     "O: depends on order.\n*: not an exact column")
-    figure.suptitle("Where methods fail", fontweight="bold")
+    figure.suptitle("Where methods fail", fontweight="bold", x=0.12, y=0.997)
     figure.tight_layout()
     return figure
 
