@@ -68,7 +68,8 @@ def efficiency(data):
     right.set(ylabel="covered pixels per clock", title="Speed at a tile per clock")
     left.legend()
     area = stored("subpixel_area.json")
-    luts = [v["luts"] / 1000 for _, v in sorted(area.get("tile_px", {}).items())] if area else []
+    luts = [v["luts"] / 1000 for _, v in sorted((area or {}).get("tile_px", {}).items())]
+    bars.set_visible(bool(luts))
     names = ["4x4 px", "8x8 px"]
     bars.bar(names[:len(luts)], luts, color=[GREEN, BLUE], width=0.55)
     for i, v in enumerate(luts):
