@@ -124,6 +124,50 @@ class FitCli(unittest.TestCase):
         self.refuse("HS025", "fit", TEAPOT, "--emit-rtl", self.out / "e", "--source", self.out)
         self.refuse("HS030", "fit", TEAPOT, "--out", self.out / "no/such/c.json")
 
+    def test_level_auto_predicts_the_clocks_of_level_cycle(self):
+        bunny = [SCENES / "bunny.obj", "--size", "1920x1080"]
+        stats = {}
+        for level in ("auto", "cycle"):
+            file = self.out / f"{level}.json"
+            self.succeed("render", *bunny, "--shade", "coverage", "--level", level, "--out",
+                         self.out / f"{level}.png", "--stats", file)
+            stats[level] = json.loads(file.read_text())
+        predicted = stats["auto"]["cycles_predicted"]
+        self.assertLessEqual(predicted["low"], stats["cycle"]["cycles"])
+        self.assertGreaterEqual(predicted["high"], stats["cycle"]["cycles"])
+        self.assertLess(predicted["triangles_at_cycle"], stats["cycle"]["triangles"] / 2)
+        self.assertEqual(stats["auto"]["coverage_crc32"], stats["cycle"]["coverage_crc32"])
+        tcov = self.out / "out.tcov"
+        self.succeed("coverage", TESTS / "data/public.tcov", "--level", "auto", "--config", "d3d",
+                     "--out", tcov, "--stats", self.out / "t.json")
+        predicted = json.loads((self.out / "t.json").read_text())["cycles_predicted"]
+        self.assertGreater(predicted["clocks"], 200_000)
+
+    def test_savings_change_no_bit_of_the_picture(self):
+        stats, picture = {}, {}
+        for level in ("bit", "cycle"):
+            file = self.out / f"{level}.json"
+            self.succeed("render", TEAPOT, "--size", "320x240", "--level", level, "--out",
+                         self.out / f"{level}.png", "--stats", file)
+            stats[level] = json.loads(file.read_text())
+            picture[level] = (self.out / f"{level}.png").read_bytes()
+        self.assertEqual(picture["bit"], picture["cycle"])
+        for key in ("nodes_per_level", "tiles_covered", "fragments_shaded", "coverage_crc32"):
+            self.assertEqual(stats["bit"][key], stats["cycle"][key], key)
+        self.assertEqual(stats["bit"]["savings"]["upper_nodes_skipped"], 0)
+        for key, value in stats["cycle"]["savings"].items():
+            self.assertGreater(value, 0, key)
+
+    def test_simplification_leaves_out_triangles(self):
+        stats = self.out / "s.json"
+        self.succeed("render", SCENES / "bunny.obj", "--size", "320x240", "--simplify", "1", "--out",
+                     self.out / "s.png", "--stats", stats)
+        triangles = json.loads(stats.read_text())["triangles"]
+        self.assertLess(triangles, 3674 / 2)
+        done = self.succeed("fit", SCENES / "bunny.obj", "--size", "320x240", "--simplify", "1",
+                            "--out", self.out / "c.json")
+        self.assertIn(f"simplified: {triangles} of 3674 triangles", done.stdout)
+
     def test_area_is_printed_for_any_configuration(self):
         area = json.loads(self.succeed("config", "--area", "--config", "full").stdout)
         self.assertAlmostEqual(area["luts"], 25309, delta=0.04 * 25309)

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
 #include "../io/stats_json.hpp"
 #include "scene.hpp"
 
 namespace halfspace {
 
-// Level auto: predicts the clocks of one frame (fit/estimate.hpp), adds them to stats.predicted and
-// says them on stderr.
+// Level auto: predicts the clocks of one frame (fit/estimate.hpp) and adds them to stats.predicted.
+void add_prediction(std::span<const Triangle> triangles, const FrameState& frame,
+                    const Config& config, RunStats& stats);
+
+// The same for a frame of a scene; says them on stderr when it is the only one.
 void add_prediction(const Scene& scene, std::size_t index, const FrameState& frame,
                     const Config& config, RunStats& stats);
 

@@ -11,6 +11,7 @@
 #include "../io/output_file.hpp"
 #include "../io/stats_json.hpp"
 #include "../io/tcov.hpp"
+#include "auto_level.hpp"
 #include "command.hpp"
 #include "level_run.hpp"
 #include "progress.hpp"
@@ -52,7 +53,8 @@ TcovCase run_case(const TcovCase& source, Level level, Cull cull, const Config& 
 
 void run_coverage(const CoverageOptions& options) {
   const Clock::time_point start = Clock::now();
-  const Level level = parse_level(options.level);
+  const bool automatic = options.level == "auto";
+  const Level level = parse_level(automatic ? "coverage" : options.level);
   const Cull cull = parse_cull(options.cull);
   const Config config = options.config.load();
   require_level(level, config);
@@ -68,6 +70,10 @@ void run_coverage(const CoverageOptions& options) {
   {
     Progress progress("covering cases", cases.size());
     for (const TcovCase& source : cases) {
+      if (automatic) {
+        add_prediction(tcov_triangles(source, config, options.in).triangles,
+                       {source.width, source.height, cull}, config, stats);
+      }
       results.push_back(run_case(source, level, cull, config, options.in, stats));
       progress.advance();
     }
@@ -91,7 +97,9 @@ Action add_coverage_command(CLI::App& program) {
   command->add_option("IN", options->in, "TCOV file (coordinates in 1/256 px)")->required();
   command->add_option("--out", options->out, "TCOV file to write")->required();
   command->add_option("--stats", options->stats, "JSON statistics to write");
-  command->add_option("--level", options->level, "coverage, bit, cycle or rtl")
+  command
+      ->add_option("--level", options->level,
+                   "coverage, bit, cycle, rtl, or auto (coverage, with the clocks predicted)")
       ->capture_default_str();
   add_cull_option(*command, options->cull);
   options->config.add_to(*command);
