@@ -127,6 +127,16 @@ TEST(Explain, EdgeValuesAreTheCrossProducts) {
   EXPECT_EQ(p.edge[2].raw, static_cast<std::int64_t>((1 * -4.5 - -8 * 2.5) * 65536));
 }
 
+// The sample is one unit, 2^-16 px^2, outside edge 0 and well inside the others.
+TEST(Explain, OneUnitOutsideIsOutside) {
+  const Triangle t{{{{129, 129}, {-870, -871}, {2560, 129}}}, 0};
+  const PieceAccount piece = explain_triangle(t, kFrame, kPlain, {0, 0, 0});
+  EXPECT_EQ(piece.edge[0].raw, -1);
+  EXPECT_EQ(piece.fate, Fate::kOutsideEdge);
+  EXPECT_EQ(piece.failed, 0b001u);
+  EXPECT_TRUE(piece.model_agrees);
+}
+
 TEST(Explain, VerdictIsTheOraclesOnEveryShape) {
   constexpr std::uint64_t kSeed = 801;
   for (const Preset& preset : kPresets) {
