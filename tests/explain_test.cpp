@@ -241,6 +241,22 @@ TEST(Explain, WinnerOfEachOfFourSamplesIsTheDepthTests) {
   }
 }
 
+// Depths that slope: sample 0 of four is not at the centre.
+TEST(Explain, DepthIsThatOfTheSampleAndNotOfTheCentre) {
+  const Config config = with_index_tags(kMsaa4);
+  const FrameState frame{40, 40, Cull::kNone};
+  ShadedTriangle t = numbered({{{{0, 0}, {10000, 0}, {0, 10000}}}, 0}, 0, 0.1, config);
+  t.attributes[1].depth *= 5;
+  t.attributes[2].depth *= 8;
+  Rasterizer rasterizer(frame, config, DepthFunction::kLess, kBlack);
+  rasterizer.draw(t);
+  for (const int x : {3, 11, 17}) {
+    const Explainer e = explain({t}, frame, config, {x, 5, 0});
+    EXPECT_EQ(e.depth(), rasterizer.framebuffer().depth()[static_cast<std::size_t>(5 * 40 + x)]);
+    EXPECT_NE(e.depth(), explain({t}, frame, config, {x, 5, 1}).depth());
+  }
+}
+
 // Vertices on pixel centres: shared edges run through samples everywhere.
 TEST(Explain, ASharedEdgeSampleHasOneOwner) {
   const Config config = with_index_tags(kFull);
@@ -266,9 +282,12 @@ TEST(Explain, SkippedIndicesWereClipped) {
   const Triangle covers{{{{0, 0}, {2560, 0}, {0, 2560}}}, 0};
   e.add(numbered(covers, 2, 0.5, kPlain));
   e.add(numbered(covers, 5, 0.25, kPlain));
-  e.add(numbered(covers, 5, 0.75, kPlain));  // a second piece of 5
+  e.add(numbered(covers, 5, 0.75, kPlain));  // a second piece of 5, and one that is elsewhere
+  e.add(numbered({{{{8000, 8000}, {9000, 8000}, {8000, 9000}}}, 0}, 5, 0.5, kPlain));
   e.finish(9);
   EXPECT_EQ(count(e, Fate::kClipped), 7u);
+  EXPECT_EQ(count(e, Fate::kBehind), 1u);
+  EXPECT_EQ(count(e, Fate::kOutsideBox), 0u);
   EXPECT_EQ(e.winner(), 5);
   ASSERT_EQ(e.accounts().size(), 9u);
   EXPECT_EQ(e.accounts()[2].fate, Fate::kBehind);
