@@ -4,7 +4,8 @@
 // Steps 3 to 7 of docs/03_design/triangle_setup.md.
 //
 // Latency: registers 3 to 6 of hs_triangle_setup, which owns the handshake: load_i[n] fills
-//          register n. constant_o is register 4's C, modulo 2^AREA_BITS; flip_i belongs to what register 5 holds.
+//          register n. constant_o is register 4's C, modulo 2^AREA_BITS; flip_i belongs to what
+//          register 5 holds.
 module hs_setup_edge (
   input  logic                                 clk_i,
   input  logic [6:3]                           load_i,

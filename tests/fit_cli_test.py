@@ -88,7 +88,8 @@ class FitCli(unittest.TestCase):
         files = (rtl / "files.f").read_text().split()
         self.assertEqual(files[0], "hs_config_pkg.sv")
         self.assertGreater(len(files), 10)
-        checkers = [f"rtl/checkers/{f}" for f in (rtl / "rtl/checkers/checkers.f").read_text().split()]
+        listed = (rtl / "rtl/checkers/checkers.f").read_text().split()
+        checkers = [f"rtl/checkers/{name}" for name in listed]
         subprocess.run(["verilator", "--lint-only", "-Wall", "--assert", "--top-module",
                         "hs_rasterizer", "rtl/hs_lint.vlt", *files, *checkers], cwd=rtl, check=True)
         subprocess.run(["sh", "-n", rtl / "cosim.sh"], check=True)
@@ -160,8 +161,8 @@ class FitCli(unittest.TestCase):
 
     def test_simplification_leaves_out_triangles(self):
         stats = self.out / "s.json"
-        self.succeed("render", SCENES / "bunny.obj", "--size", "320x240", "--simplify", "1", "--out",
-                     self.out / "s.png", "--stats", stats)
+        self.succeed("render", SCENES / "bunny.obj", "--size", "320x240", "--simplify", "1",
+                     "--out", self.out / "s.png", "--stats", stats)
         triangles = json.loads(stats.read_text())["triangles"]
         self.assertLess(triangles, 3674 / 2)
         done = self.succeed("fit", SCENES / "bunny.obj", "--size", "320x240", "--simplify", "1",
