@@ -20,7 +20,7 @@ matplotlib.rcParams.update({
     "axes.grid": True, "grid.alpha": 0.3, "axes.spines.top": False, "axes.spines.right": False,
     "legend.frameon": False, "figure.facecolor": "white"})
 
-SCENES = pathlib.Path(__file__).resolve().parents[1] / "tests" / "scenes"
+ROOT = pathlib.Path(__file__).resolve().parents[1]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import chart_figures  # noqa: E402
@@ -39,7 +39,7 @@ def save(figure, path):
 
 def measure(program, name, data):
     """Writes the data of a chart; false when this program cannot measure it."""
-    scene = SCENES / "bunny.obj"
+    scene = "tests/scenes/bunny.obj"  # from ROOT: its name is part of the data
     command = {"stability": [program, "stability", "--out", data],
                "ladder": [program, "chart", name, "--scene", scene, "--size", "1280x960",
                           "--out", data],
@@ -47,7 +47,7 @@ def measure(program, name, data):
                          "llvmpipe", "--threads", "1", "--scale", "0.2", "--workload", "small",
                          "medium", "large", "fullscreen", "sliver", "--out", data]}
     done = subprocess.run(command.get(name, [program, "chart", name, "--out", data]),
-                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, cwd=ROOT)
     if done.returncode != 0:
         print(f"charts: {name}: not measured: {done.stderr.strip()}", file=sys.stderr)
     return done.returncode == 0
@@ -58,7 +58,8 @@ def main():
         _, _, name, data, out = sys.argv
         save(FIGURES[name](json.loads(pathlib.Path(data).read_text())), pathlib.Path(out))
         return 0
-    program, out, names = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3:] or list(FIGURES)
+    program, out = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+    names = sys.argv[3:] or list(FIGURES)
     unknown = [n for n in names if n not in FIGURES]
     if unknown:
         sys.exit(f"charts: {unknown[0]} is not one of {', '.join(FIGURES)}")
