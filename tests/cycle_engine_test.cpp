@@ -220,6 +220,7 @@ TEST(CycleEngine, FreeFlow) {
 
 TEST(CycleEngine, Meshes) {
   for (const Named& named : configurations()) {
+    if (named.config.extent_bits != 0) continue;  // cells and fans may be wider
     SCOPED_TRACE(named.name);
     const FrameState frame = frames(named.config)[1];
     const int size = std::min(named.config.max_size(), 128);
