@@ -33,6 +33,7 @@ hs_info info_of(const Config& c) {
   info.root_bits = c.node_bits(c.node_log2(0));
   info.coordinate_min = static_cast<int32_t>(c.coordinate_min());
   info.coordinate_max = static_cast<int32_t>(c.coordinate_max());
+  info.extent_bits = c.extent_bits;
   return info;
 }
 

@@ -85,6 +85,7 @@ typedef struct hs_info {
   int32_t lane_bits;    /* an edge value in one lane of a grid */
   int32_t root_bits;    /* an edge value at the root's origin */
   int32_t coordinate_min, coordinate_max; /* legal vertex coordinates, 2^-subpixel_bits px */
+  int32_t extent_bits;  /* every edge is shorter than 2^this px in x and in y; 0: no limit */
 } hs_info;
 /* info->struct_size must be set; that many bytes are filled. */
 hs_status hs_get_info(const hs_model* model, hs_info* info);
@@ -129,7 +130,7 @@ int hs_stall_ready(double probability, uint64_t seed, uint64_t clock);
 /* --- Triangles ----------------------------------------------------------------------------- */
 
 /* Vertices in 2^-subpixel_bits px, x right and y down from the frame's top-left corner:
- * x0 y0 x1 y1 x2 y2, each in [coordinate_min, coordinate_max]. tag: tag_bits. Colours are white,
+ * x0 y0 x1 y1 x2 y2, each in [coordinate_min, coordinate_max]; edges within extent_bits. tag: tag_bits. Colours are white,
  * depth in the middle. */
 hs_status hs_push_triangle(hs_model* model, const int32_t xy[6], uint32_t tag);
 /* count triangles, tags first_tag, first_tag + 1, ... modulo 2^tag_bits. Stops at the first one

@@ -33,6 +33,12 @@ std::int32_t checked(std::int64_t value, int index, const Config& config) {
   return static_cast<std::int32_t>(value);
 }
 
+void check_extent(const Triangle& triangle, const Config& config) {
+  if (within_extent(triangle, config)) return;
+  throw Refusal(HS_ERROR_RANGE, "an edge is longer than extent_bits = " +
+                                    std::to_string(config.extent_bits) + " allows");
+}
+
 // White, at half depth.
 ShadedTriangle plain(const std::array<std::int64_t, 6>& xy, std::uint32_t tag,
                      const Config& config) {
@@ -43,6 +49,7 @@ ShadedTriangle plain(const std::array<std::int64_t, 6>& xy, std::uint32_t tag,
     out.triangle.vertex[at / 2] = {checked(xy[at], 2 * i, config),
                                    checked(xy[at + 1], 2 * i + 1, config)};
   }
+  check_extent(out.triangle, config);
   VertexAttributes vertex;
   vertex.depth = 1u << (config.depth_bits + kDepthFractionBits - 1);
   vertex.inverse_w = 1u << (config.inverse_w_bits - 1);

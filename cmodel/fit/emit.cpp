@@ -11,26 +11,13 @@
 
 #include "../io/config_json.hpp"
 #include "../io/error.hpp"
+#include "../io/config_package.hpp"
 #include "../io/output_file.hpp"
 
 namespace halfspace {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Macro {
-  const char* name;
-  int Config::*value;
-};
-
-constexpr Macro kMacros[] = {{"SUBPIXEL_BITS", &Config::subpixel_bits},
-                             {"VIEWPORT_BITS", &Config::viewport_bits},
-                             {"GUARD_BITS", &Config::guard_bits},
-                             {"EXTENT_BITS", &Config::extent_bits},
-                             {"SAMPLES", &Config::samples},
-                             {"GRID_LOG2", &Config::grid_log2},
-                             {"SETUP_INTERVAL", &Config::setup_interval},
-                             {"TAG_BITS", &Config::tag_bits}};
 
 void write_text(const fs::path& path, const std::string& text) {
   OutputFile file(path.string());
@@ -108,22 +95,6 @@ std::string quoted(const std::string& text) {
   return out + "'";
 }
 
-std::string config_package(const Config& config) {
-  std::string text =
-      "// SPDX-License-Identifier: Apache-2.0\n//\n"
-      "// The free values of a fitted configuration. Meaning and ranges: "
-      "docs/03_design/config.md.\n//\n"
-      "// Compile before rtl.f. Twin: config.json beside it; the compiler compares them.\n";
-  for (const Macro& macro : kMacros) {
-    text += fmt::format("`define HS_{} {}\n", macro.name, config.*macro.value);
-  }
-  text += "\npackage hs_config_pkg;\n";
-  for (const Macro& macro : kMacros) {
-    text += fmt::format("  localparam int {0} /*verilator public*/ = `HS_{0};\n", macro.name);
-  }
-  return text + "endpackage\n";
-}
-
 void emit_rtl(const std::string& folder, const std::string& source, const Config& config,
               const std::vector<EmitRun>& runs) {
   const fs::path rtl = fs::path(source) / "rtl";
@@ -139,7 +110,7 @@ void emit_rtl(const std::string& folder, const std::string& source, const Config
   std::string list;
   for (const std::string& file : files) list += file + "\n";
   write_text(to / "files.f", list);
-  write_text(to / "hs_config_pkg.sv", config_package(config));
+  write_text(to / "hs_config_pkg.sv", config_package(config, "config.json beside it; the compiler compares them"));
   write_text(to / "config.json", config_json(config).dump(2) + "\n");
   write_text(to / "cosim.sh", script(fs::absolute(source).string(), runs));
   fs::permissions(to / "cosim.sh", fs::perms::owner_exec | fs::perms::group_exec,

@@ -14,9 +14,6 @@ struct EmitRun {
   std::string options;  // of halfspace cosim, each with a space before it
 };
 
-// The text of an hs_config_pkg.sv.
-std::string config_package(const Config& config);
-
 // Writes a configuration's RTL into `folder`, which is created: config.json, hs_config_pkg.sv,
 // rtl/ (a copy of `source`/rtl), files.f (what to compile, in order) and cosim.sh, which lints,
 // builds the program with this RTL and compares it with the model on the runs. source: the

@@ -53,24 +53,6 @@ std::string dut_text(const VectorMeta& meta) {
       frame ? ".frame_i(frame_i), " : "", in, out);
 }
 
-std::string config_package(const Config& config) {
-  const std::array<std::pair<const char*, int>, 7> values{
-      {{"SUBPIXEL_BITS", config.subpixel_bits},
-       {"VIEWPORT_BITS", config.viewport_bits},
-       {"GUARD_BITS", config.guard_bits},
-       {"SAMPLES", config.samples},
-       {"GRID_LOG2", config.grid_log2},
-       {"SETUP_INTERVAL", config.setup_interval},
-       {"TAG_BITS", config.tag_bits}}};
-  std::string macros = "// The configuration of these vectors, for rtl/hs_pkg.sv.\n";
-  std::string package = "package hs_config_pkg;\n";
-  for (const auto& [name, value] : values) {
-    macros += fmt::format("`define HS_{} {}\n", name, value);
-    package += fmt::format("  localparam int {0} /*verilator public*/ = `HS_{0};\n", name);
-  }
-  return macros + "\n" + package + "endpackage\n";
-}
-
 // Every @NAME@ of the texts above.
 std::string filled(std::string text, const VectorSet& set) {
   const VectorMeta& meta = set.meta;
@@ -118,7 +100,7 @@ std::vector<NamedBytes> vector_bench(const VectorSet& set) {
   std::vector<NamedBytes> files = vector_files(set, VectorFormat::kReadmemh, "vectors.hex");
   files.push_back({"hs_vectors_tb.sv", filled(kBench, set)});
   files.push_back({"hs_vectors_dut.sv", filled(kDut, set)});
-  files.push_back({"hs_config_pkg.sv", config_package(set.meta.config)});
+  files.push_back({"hs_config_pkg.sv", config_package(set.meta.config, "manifest.json beside it")});
   files.push_back({"run_icarus.sh", filled(kIcarus, set), true});
   files.push_back({"run_verilator.sh", filled(kVerilator, set), true});
   files.push_back({"Makefile", filled(kMakefile, set)});

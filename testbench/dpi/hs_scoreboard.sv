@@ -33,14 +33,14 @@ module hs_scoreboard #(
 
   // The design's own free values.
   function automatic string configuration();
-    string pixel, grid;
-    pixel = $sformatf(
-        "\"subpixel_bits\": %0d, \"viewport_bits\": %0d, \"guard_bits\": %0d, \"samples\": %0d",
-        hs_config_pkg::SUBPIXEL_BITS, hs_config_pkg::VIEWPORT_BITS, hs_config_pkg::GUARD_BITS,
-        hs_config_pkg::SAMPLES);
+    string range, pixel, grid;
+    range = $sformatf("\"viewport_bits\": %0d, \"guard_bits\": %0d, \"extent_bits\": %0d",
+        hs_config_pkg::VIEWPORT_BITS, hs_config_pkg::GUARD_BITS, hs_config_pkg::EXTENT_BITS);
+    pixel = $sformatf("\"subpixel_bits\": %0d, \"samples\": %0d",
+        hs_config_pkg::SUBPIXEL_BITS, hs_config_pkg::SAMPLES);
     grid = $sformatf("\"grid_log2\": %0d, \"setup_interval\": %0d, \"tag_bits\": %0d",
         hs_config_pkg::GRID_LOG2, hs_config_pkg::SETUP_INTERVAL, hs_config_pkg::TAG_BITS);
-    configuration = {"{", pixel, ", ", grid, "}"};
+    configuration = {"{", range, ", ", pixel, ", ", grid, "}"};
   endfunction
 
   // Sign-extended by the assignment of a signed net.
