@@ -188,7 +188,9 @@ TEST(FrameKernel, GuessesAreRightUpToTheirLimit) {
     std::int64_t n = static_cast<std::int64_t>(random.next()) >> random.in(3, 60);
     if (i % 2 == 0) {  // next to a whole quotient, when that fits
       const __int128 whole = static_cast<__int128>(random.in(-100000, 100000)) * edges.area;
-      n = static_cast<std::int64_t>(floor_div(whole, __int128{1} << shift)) + random.in(-1, 1);
+      const __int128 near = floor_div(whole, __int128{1} << shift) + random.in(-1, 1);
+      n = static_cast<std::int64_t>(near);
+      if (n != near) continue;
     }
     if (n > std::int64_t{1} << 60 || n < -(std::int64_t{1} << 60)) continue;
     bool wild = false;
