@@ -10,8 +10,8 @@
 #include <system_error>
 
 #include "../io/config_json.hpp"
-#include "../io/error.hpp"
 #include "../io/config_package.hpp"
+#include "../io/error.hpp"
 #include "../io/output_file.hpp"
 
 namespace halfspace {
@@ -110,7 +110,8 @@ void emit_rtl(const std::string& folder, const std::string& source, const Config
   std::string list;
   for (const std::string& file : files) list += file + "\n";
   write_text(to / "files.f", list);
-  write_text(to / "hs_config_pkg.sv", config_package(config, "config.json beside it; the compiler compares them"));
+  write_text(to / "hs_config_pkg.sv",
+             config_package(config, "config.json beside it; the compiler compares them"));
   write_text(to / "config.json", config_json(config).dump(2) + "\n");
   write_text(to / "cosim.sh", script(fs::absolute(source).string(), runs));
   fs::permissions(to / "cosim.sh", fs::perms::owner_exec | fs::perms::group_exec,

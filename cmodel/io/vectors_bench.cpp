@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "config_package.hpp"
 #include "vectors_bench_text.hpp"
 
 namespace halfspace {
