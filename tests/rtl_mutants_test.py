@@ -30,7 +30,8 @@ INCLUDE = [f"-I{ROOT / folder}"
 # What goes wrong, the file, the text and what replaces it. A text occurs exactly once.
 MUTANTS = [
     ("doubled area one bit narrower", "hs_pkg.sv",
-     "2 * K + 2 * S + 3 : 2 * N + 2 * S + 2;", "2 * K + 2 * S + 2 : 2 * N + 2 * S + 1;"),
+     "2 * EXTENT_LOG2 + 2 * S + (EXTENT_REACHED ? 2 : 1);",
+     "2 * EXTENT_LOG2 + 2 * S + (EXTENT_REACHED ? 1 : 0);"),
     ("constant's carry lost at the split of y", "hs_setup_edge.sv",
      "{high3 + low3, low3_q[Low-1:0]}", "{high3, low3_q[Low-1:0]}"),
     ("left edges not owned", "hs_setup_edge.sv",
@@ -109,12 +110,15 @@ def build(rtl, folder, flags, objects):
     if code != 0:
         return None, text
     parts = sorted((folder / "model").glob("*.cpp")) + [ROOT / "testbench/rtl/rtl_model.cpp"]
+    # What CMake generates: no configurations but those of the tree.
+    (folder / "rtl_extra.hpp").write_text("#pragma once\n")
     (folder / "all.cpp").write_text("".join(f'#include "{part}"\n' for part in parts))
     defines = ["-DHS_NAME=tiny", "-DHS_PREFIX=Vrtl_tiny", "-DHS_CONFIG=kTiny",
                '-DHS_HEADER="Vrtl_tiny.h"', '-DHS_ROOT_HEADER="Vrtl_tiny___024root.h"',
                '-DHS_CONFIG_HEADER="Vrtl_tiny_hs_config_pkg.h"',
                '-DHS_PKG_HEADER="Vrtl_tiny_hs_pkg.h"']
-    code, text = run([*CXX, *flags, *INCLUDE, *defines, f"-I{folder / 'model'}", "-c", "all.cpp",
+    code, text = run([*CXX, *flags, *INCLUDE, *defines, f"-I{folder}", f"-I{folder / 'model'}", "-c",
+                      "all.cpp",
                       "-o", "all.o"], folder)
     if code != 0:
         return None, text

@@ -12,6 +12,7 @@
 
 #include "../io/error.hpp"
 #include "../io/output_file.hpp"
+#include "source_tree.hpp"
 
 extern char** environ;
 
@@ -24,13 +25,8 @@ constexpr const char* kPython = "/usr/bin/python3";
 
 fs::path script() {
   if (const char* named = std::getenv("HALFSPACE_CHARTS"); named != nullptr) return named;
-  std::error_code error;
-  for (fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
-       folder.has_relative_path(); folder = folder.parent_path()) {
-    const fs::path candidate = folder / "testbench" / "charts.py";
-    if (fs::exists(candidate, error)) return candidate;
-  }
-  return {};
+  const fs::path folder = folder_with("testbench/charts.py");
+  return folder.empty() ? folder : folder / "testbench" / "charts.py";
 }
 
 // Exit status, or -1 when it did not run to its end.

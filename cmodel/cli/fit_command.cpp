@@ -15,6 +15,7 @@
 #include "../io/error.hpp"
 #include "../io/output_file.hpp"
 #include "command.hpp"
+#include "source_tree.hpp"
 
 namespace halfspace {
 namespace {
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 struct FitArguments {
   std::vector<std::string> scenes;
   std::string size, out, emit, report, target;
-  std::string source = HALFSPACE_SOURCE;
+  std::string source = folder_with("rtl/rtl.f").string();
   std::string cull = "none";
   CameraArguments camera;
   int views = 1;
