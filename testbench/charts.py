@@ -56,7 +56,12 @@ def measure(program, name, data):
 def main():
     if sys.argv[1] == "draw":
         _, _, name, data, out = sys.argv
-        save(FIGURES[name](json.loads(pathlib.Path(data).read_text())), pathlib.Path(out))
+        try:
+            save(FIGURES[name](json.loads(pathlib.Path(data).read_text())), pathlib.Path(out))
+        except KeyboardInterrupt:
+            return 130  # the program that started us says so
+        except (ValueError, IndexError, KeyError, TypeError, ZeroDivisionError):
+            return 3  # data of a scene that shows nothing
         return 0
     program, out = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
     names = sys.argv[3:] or list(FIGURES)

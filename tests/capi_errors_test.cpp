@@ -98,6 +98,33 @@ TEST(CapiErrors, BadConfigurationsAreRefusedWithTheirKey) {
   EXPECT_EQ(model, nullptr);
 }
 
+TEST(CapiErrors, EdgesBeyondTheExtentAreRefusedNotWrapped) {
+  hs_model* model = nullptr;
+  ASSERT_EQ(hs_create_json(R"({"extent_bits": 5})", &model), HS_OK);
+  const hs_frame frame = frame_of(640, 480, HS_TILES);
+  ASSERT_EQ(hs_begin_frame(model, &frame), HS_OK);
+  const std::int32_t longest[6] = {0, 0, 32 * 256 - 1, 0, 0, 32 * 256 - 1};
+  const std::int32_t beyond[6] = {0, 0, 32 * 256, 0, 0, 100};
+  EXPECT_EQ(hs_push_triangle(model, longest, 0), HS_OK);
+  expect_refused(hs_push_triangle(model, beyond, 1), HS_ERROR_RANGE, "extent_bits");
+  hs_clip_vertex clip[3] = {};
+  for (std::size_t i = 0; i < 3; ++i) clip[i].position[3] = 1;
+  clip[1].position[0] = 0.5;  // 160 px
+  clip[2].position[1] = 0.01;
+  expect_refused(hs_push_clip(model, clip, 2), HS_ERROR_RANGE, "extent_bits");
+  clip[1].position[0] = 1e6;  // cut at a side
+  expect_refused(hs_push_clip(model, clip, 3), HS_ERROR_RANGE, "cut");
+  clip[1].position[0] = 0.01;
+  EXPECT_EQ(hs_push_clip(model, clip, 4), HS_OK);
+  hs_stats stats{};
+  stats.struct_size = sizeof stats;
+  ASSERT_EQ(hs_get_stats(model, &stats), HS_OK);
+  EXPECT_EQ(stats.triangles, 2u) << "what was refused was not drawn";
+  const std::string cube = std::string(HALFSPACE_TEST_DIR) + "/scenes/cube.gltf";
+  expect_refused(hs_draw_scene(model, cube.c_str(), nullptr), HS_ERROR_RANGE, "HS022");
+  hs_destroy(model);
+}
+
 TEST(CapiErrors, CoordinatesBeyondTheRangeAreRefusedNotWrapped) {
   for (const char* preset : {"tiny", "full", "d3d"}) {
     const Handle model(preset);

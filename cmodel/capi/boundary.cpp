@@ -22,6 +22,7 @@ hs_status status_of(ErrorCode code) {
     case ErrorCode::kConfigKey:
     case ErrorCode::kConfigRange: return HS_ERROR_CONFIG;
     case ErrorCode::kSize:
+    case ErrorCode::kFitRange:
     case ErrorCode::kTcovRange: return HS_ERROR_RANGE;
     case ErrorCode::kInternal: return HS_ERROR_INTERNAL;
     default: return HS_ERROR_FILE;

@@ -46,12 +46,22 @@ void draw(Frame& frame, const Config& config, const Scene& scene) {
   RunStats stats;
   std::vector<ShadedTriangle> batch;
   batch.reserve(kBatch);
-  scene.draw(0, frame.state(), config, stats, [&](const ShadedTriangle& triangle) {
-    batch.push_back(triangle);
-    if (batch.size() < kBatch) return;
+  std::uint64_t sent = 0;
+  try {
+    scene.draw(0, frame.state(), config, stats, [&](const ShadedTriangle& triangle) {
+      ++sent;
+      batch.push_back(triangle);
+      if (batch.size() < kBatch) return;
+      frame.draw(batch);
+      batch.clear();
+    });
+  } catch (const Error&) {
     frame.draw(batch);
-    batch.clear();
-  });
+    GeometryStats in;  // the scene counts its frame as a whole
+    in.triangles_in = sent;
+    frame.count_in(in);
+    throw;
+  }
   frame.draw(batch);
   frame.count_in(stats.geometry);
 }

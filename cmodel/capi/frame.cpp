@@ -86,6 +86,12 @@ Frame::Frame(const hs_frame& request, const Config& config)
   }
 }
 
+void check_extent(const Triangle& triangle, const Config& config) {
+  if (within_extent(triangle, config)) return;
+  throw Refusal(HS_ERROR_RANGE, "an edge is longer than extent_bits = " +
+                                    std::to_string(config.extent_bits) + " allows");
+}
+
 void Frame::draw(std::span<const ShadedTriangle> triangles) {
   std::vector<Triangle> positions;
   positions.reserve(triangles.size());
@@ -100,7 +106,14 @@ void Frame::draw(std::span<const ShadedTriangle> triangles) {
 
 void Frame::draw_clip(const std::array<ClipVertex, 3>& triangle, std::uint32_t tag) {
   pieces_.clear();
+  const std::uint64_t cut = geometry_.stats().beyond_sides;
   geometry_.process(triangle, tag, pieces_);
+  if (config_.extent_bits != 0) {
+    if (geometry_.stats().beyond_sides != cut) {
+      throw Refusal(HS_ERROR_RANGE, "the triangle is cut at a side: extent_bits allows none");
+    }
+    for (const ShadedTriangle& piece : pieces_) check_extent(piece.triangle, config_);
+  }
   draw(pieces_);
 }
 

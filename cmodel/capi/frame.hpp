@@ -15,6 +15,9 @@
 
 namespace halfspace::capi {
 
+// Throws Refusal when an edge is longer than Config::extent_bits allows.
+void check_extent(const Triangle& triangle, const Config& config);
+
 class Frame {
  public:
   // Throws Refusal when a field of `request` is out of range.

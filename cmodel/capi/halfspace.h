@@ -130,8 +130,8 @@ int hs_stall_ready(double probability, uint64_t seed, uint64_t clock);
 /* --- Triangles ----------------------------------------------------------------------------- */
 
 /* Vertices in 2^-subpixel_bits px, x right and y down from the frame's top-left corner:
- * x0 y0 x1 y1 x2 y2, each in [coordinate_min, coordinate_max]; edges within extent_bits. tag: tag_bits. Colours are white,
- * depth in the middle. */
+ * x0 y0 x1 y1 x2 y2, each in [coordinate_min, coordinate_max], edges within extent_bits. tag:
+ * tag_bits. Colours are white, depth in the middle. */
 hs_status hs_push_triangle(hs_model* model, const int32_t xy[6], uint32_t tag);
 /* count triangles, tags first_tag, first_tag + 1, ... modulo 2^tag_bits. Stops at the first one
  * refused; *pushed (may be null) says how many were drawn. Faster than one by one. */

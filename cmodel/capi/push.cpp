@@ -33,12 +33,6 @@ std::int32_t checked(std::int64_t value, int index, const Config& config) {
   return static_cast<std::int32_t>(value);
 }
 
-void check_extent(const Triangle& triangle, const Config& config) {
-  if (within_extent(triangle, config)) return;
-  throw Refusal(HS_ERROR_RANGE, "an edge is longer than extent_bits = " +
-                                    std::to_string(config.extent_bits) + " allows");
-}
-
 // White, at half depth.
 ShadedTriangle plain(const std::array<std::int64_t, 6>& xy, std::uint32_t tag,
                      const Config& config) {

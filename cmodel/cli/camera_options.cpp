@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <cctype>
 #include <sstream>
 
 #include "../io/error.hpp"
+#include "number_checks.hpp"
 
 namespace halfspace {
 namespace {
@@ -30,9 +32,11 @@ void CameraArguments::add_to(CLI::App& command, const std::string& look_at) {
   command.add_option("--eye", eye, "Camera position, world units")->type_name("X,Y,Z");
   command.add_option(look_at, target, "Point looked at, world units")->type_name("X,Y,Z");
   command.add_option("--up", up, "Direction that is up in the picture")->type_name("X,Y,Z");
-  command.add_option("--fov", fov, "Vertical field of view, degrees (default 40)");
-  command.add_option("--ortho", ortho,
-                     "Orthographic camera; picture height in world units, 0 to fit");
+  command.add_option("--fov", fov, "Vertical field of view, degrees (default 40)")
+      ->check(above_zero());
+  command
+      .add_option("--ortho", ortho, "Orthographic camera; picture height in world units, 0 to fit")
+      ->check(not_negative());
 }
 
 CameraOptions CameraArguments::options() const {
@@ -58,10 +62,15 @@ CameraOptions CameraArguments::options() const {
 }
 
 std::string CameraArguments::text() const {
+  // One word each, whatever spaces they were given with.
+  const auto word = [](std::string vector) {
+    std::erase_if(vector, [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; });
+    return vector;
+  };
   std::string out;
-  if (!eye.empty()) out += " --eye " + eye;
-  if (!target.empty()) out += " --target " + target;
-  if (!up.empty()) out += " --up " + up;
+  if (!eye.empty()) out += " --eye " + word(eye);
+  if (!target.empty()) out += " --target " + word(target);
+  if (!up.empty()) out += " --up " + word(up);
   if (fov != 0) out += fmt::format(" --fov {}", fov);
   if (ortho != -1) out += fmt::format(" --ortho {}", ortho);
   return out;

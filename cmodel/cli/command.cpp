@@ -6,6 +6,7 @@
 
 #include "../io/config_json.hpp"
 #include "../io/error.hpp"
+#include "number_checks.hpp"
 #include "rtl_link.hpp"
 
 namespace halfspace {
@@ -28,7 +29,8 @@ void ConfigOptions::add_to(CLI::App& command) {
       ->type_name("NAME|FILE")
       ->capture_default_str();
   command.add_option("--samples", samples, "Samples per pixel, instead of the configuration's")
-      ->type_name("1|2|4|8|16");
+      ->type_name("1|2|4|8|16")
+      ->check(whole(1));
 }
 
 Config ConfigOptions::load() const {

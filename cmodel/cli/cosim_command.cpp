@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "command.hpp"
+#include "number_checks.hpp"
 
 namespace halfspace {
 
@@ -18,15 +19,19 @@ Action add_cosim_command(CLI::App& program) {
   o->config.add_to(*command);
   command->add_option("--stall", o->stall, "Probability that input or output is held up, 0..0.95")
       ->capture_default_str();
-  command->add_option("--seed", o->seed, "Seed of the stall pattern")->capture_default_str();
+  command->add_option("--seed", o->seed, "Seed of the stall pattern")
+      ->check(whole())
+      ->capture_default_str();
   command->add_option("--stats", o->stats, "JSON statistics to write");
-  command->add_option("--trace", o->trace, "FST waves of the RTL to write");
+  command->add_option("--trace", o->trace,
+                      "Trace to write: .fst waves of the RTL, .json (Chrome) or .kanata.gz");
   add_cull_option(*command, o->cull);
   o->camera.add_to(*command);
   command->add_option("--orbit", o->views, "Views: this many cameras around the target, in turn")
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
-  command->add_option("--case", o->case_id, "The case of a TCOV file to run (default: all)");
+  command->add_option("--case", o->case_id, "The case of a TCOV file to run (default: all)")
+      ->check(whole());
   command->footer(
       "Exit status: 0 identical, 1 different (one line says where), 2 bad input.\n"
       "Example: halfspace cosim tests/scenes/bunny.obj --config full --stall 0.3 --seed 7");

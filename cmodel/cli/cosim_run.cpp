@@ -185,7 +185,8 @@ bool load_frame(const Scene& scene, const CosimRequest& request, const Config& c
       frame.triangles.push_back(triangle.triangle);
     });
   } catch (const Error& error) {
-    const bool misfit = error.code() == ErrorCode::kTcovRange || error.code() == ErrorCode::kSize;
+    const bool misfit = error.code() == ErrorCode::kTcovRange || error.code() == ErrorCode::kSize ||
+                        error.code() == ErrorCode::kFitRange;
     if (!misfit || scene.frames() == 1) throw;
     ++totals.skipped;
     return false;
@@ -203,6 +204,7 @@ int run_cosim(const CosimRequest& request) {
   }
   const Config config = request.config.load();
   require_rtl(config, "--config");
+  check_distinct({request.stats, request.trace});
   if (!request.stats.empty()) check_writable(request.stats);
   const std::unique_ptr<Scene> scene =
       open_scene(request.in, request.case_id, frame_size(request.size, config),

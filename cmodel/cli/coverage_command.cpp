@@ -60,6 +60,7 @@ void run_coverage(const CoverageOptions& options) {
   require_level(level, config);
   const std::vector<TcovCase> cases = read_tcov(options.in);
   if (cases.empty()) throw Error(ErrorCode::kScene, options.in, "has no cases");
+  check_distinct({options.out, options.stats});
   check_writable(options.out);
   if (!options.stats.empty()) check_writable(options.stats);
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "../io/error.hpp"
+#include "../io/interrupt.hpp"
 #include "../io/output_file.hpp"
 #include "source_tree.hpp"
 
@@ -64,10 +65,14 @@ void draw_chart(const std::string& name, const nlohmann::ordered_json& data,
   OutputFile file(json);
   file.write(data.dump() + "\n");
   file.commit();
+  remove_on_interrupt(json);
   const int status = run({kPython, script().string(), "draw", name, json, out});
   fs::remove(json);
+  remove_on_interrupt({});
   if (status != 0) {
-    throw Error(ErrorCode::kDrawing, out, fmt::format("charts.py ended with status {}", status));
+    throw Error(ErrorCode::kDrawing, out,
+                status == 3 ? "there is nothing to draw: the scene shows no pixels"
+                            : fmt::format("charts.py ended with status {}", status));
   }
 }
 

@@ -15,6 +15,7 @@
 #include "../io/error.hpp"
 #include "../io/output_file.hpp"
 #include "command.hpp"
+#include "number_checks.hpp"
 #include "source_tree.hpp"
 
 namespace halfspace {
@@ -39,8 +40,6 @@ struct FitArguments {
   bool synth = false;
   bool cosim = false;
 };
-
-bool is_tcov(const std::string& path) { return fs::path(path).extension() == ".tcov"; }
 
 std::vector<FitView> open_views(const FitArguments& a, double simplify_px) {
   const FrameSize size = a.size.empty() ? FrameSize{640, 480} : parse_size(a.size);
@@ -76,8 +75,9 @@ void check(const FitArguments& a) {
   if ((a.synth || a.cosim) && a.emit.empty()) {
     throw Error(ErrorCode::kUsage, a.synth ? "--synth" : "--cosim", "needs --emit-rtl DIR");
   }
-  if (a.out.empty() && a.emit.empty()) {
-    throw Error(ErrorCode::kUsage, "fit", "nothing to write: give --out FILE or --emit-rtl DIR");
+  if (a.out.empty() && a.emit.empty() && a.report.empty()) {
+    throw Error(ErrorCode::kUsage, "fit",
+                "nothing to write: give --out FILE, --emit-rtl DIR or --report DIR");
   }
   if (!a.out.empty()) check_writable(a.out);
 }
@@ -137,6 +137,9 @@ std::string command_text(const FitArguments& a) {
   if (!a.target.empty()) text += " --target " + a.target;
   if (a.samples != 1) text += fmt::format(" --samples {}", a.samples);
   if (a.views != 1) text += fmt::format(" --orbit {}", a.views);
+  if (a.attributes >= 0) text += fmt::format(" --attributes {}", a.attributes);
+  if (a.case_id >= 0) text += fmt::format(" --case {}", a.case_id);
+  if (a.cull != "none") text += " --cull " + a.cull;
   std::string camera = a.camera.text();
   const std::size_t at = camera.find(" --target ");
   if (at != std::string::npos) camera.replace(at, 9, " --look-at");
@@ -187,16 +190,17 @@ Action add_fit_command(CLI::App& program) {
       ->add_option("--max-error", a->max_error,
                    "Choose the fewest subpixel bits that keep coverage within this of unsnapped "
                    "vertices, ppm of covered samples")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative())
       ->type_name("PPM");
   command
       ->add_option("--max-attribute-error", a->max_attribute_error,
                    "Choose the fewest bits of 1/w, gradient and reciprocal that keep attributes "
                    "within this, levels of 255")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative())
       ->type_name("LEVELS");
   command->add_option("--target", a->target, "Throughput to reach: 2.5px/clk or 60fps@100MHz");
-  command->add_option("--subpixel-bits", a->subpixel_bits, "Subpixel bits (default 8)");
+  command->add_option("--subpixel-bits", a->subpixel_bits, "Subpixel bits (default 8)")
+      ->check(whole());
   command->add_option("--samples", a->samples, "Samples per pixel")->capture_default_str();
   command->add_option("--attributes", a->attributes,
                       "Attributes used (default 3, and 0 for TCOV files)");
@@ -205,11 +209,12 @@ Action add_fit_command(CLI::App& program) {
   command->add_option("--orbit", a->views, "Cameras around the target, all to be right for")
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
-  command->add_option("--case", a->case_id, "The case of a TCOV file (default: all)");
+  command->add_option("--case", a->case_id, "The case of a TCOV file (default: all)")
+      ->check(whole());
   command
       ->add_option("--simplify", a->simplify,
                    "Also say what simplification to this error would save and get wrong, pixels")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative())
       ->type_name("PX");
   command->add_flag("--synth", a->synth, "Measure the area with yosys");
   command->add_flag("--cosim", a->cosim, "Run the emitted cosim.sh: lint, build, compare");

@@ -14,13 +14,19 @@
 namespace halfspace {
 namespace {
 
+lab::RealScene in_view(lab::RealScene scene, const std::string& path) {
+  if (!scene.triangles.empty()) return scene;
+  throw Error(ErrorCode::kScene, path, "nothing of it is in the frame");
+}
+
 lab::RealScene open_real(const SceneOptions& options) {
   const Config config;
-  if (std::filesystem::path(options.path).extension() == ".tcov") {
-    return lab::tcov_scene(options.path, options.case_id);
+  if (is_tcov(options.path)) {
+    return in_view(lab::tcov_scene(options.path, options.case_id), options.path);
   }
   const FrameSize size = frame_size(options.size, config);
-  return lab::mesh_scene(options.path, size.width, size.height, options.camera.options());
+  return in_view(lab::mesh_scene(options.path, size.width, size.height, options.camera.options()),
+                 options.path);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <new>
+#include <system_error>
 
 #include "../io/error.hpp"
 #include "../io/interrupt.hpp"
@@ -74,6 +75,8 @@ int main(int argc, char** argv) {
     return fail(error.code(), error.what());
   } catch (const std::bad_alloc&) {
     return fail(halfspace::ErrorCode::kScene, "not enough memory");
+  } catch (const std::system_error& error) {  // files, and standard output that takes no more
+    return fail(halfspace::ErrorCode::kFileWrite, error.what());
   } catch (const std::exception& error) {
     return fail(halfspace::ErrorCode::kInternal, error.what());
   }

@@ -18,6 +18,7 @@
 #include "command.hpp"
 #include "level_run.hpp"
 #include "method_picture.hpp"
+#include "number_checks.hpp"
 #include "pictures.hpp"
 #include "rtl_link.hpp"
 #include "scene_options.hpp"
@@ -182,6 +183,7 @@ void run_render(const RenderOptions& options) {
   const Config config = options.config.load();
   require_level(level, config);
   if (!options.trace.empty()) check_trace(options.trace, level);
+  check_distinct({options.out, options.stats, options.trace});
   check_writable(options.out);
   if (!options.stats.empty()) check_writable(options.stats);
   const std::unique_ptr<Scene> scene = options.scene.open(
@@ -233,7 +235,7 @@ Action add_render_command(CLI::App& program) {
   command
       ->add_option("--simplify", o->simplify,
                    "Leave out triangles where the surface moves by at most this, pixels")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative())
       ->type_name("PX");
   command->add_option("--depth-test", o->depth_test, "less or less_equal")->capture_default_str();
   command

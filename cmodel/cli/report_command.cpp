@@ -104,10 +104,18 @@ void draw_worst(const ReportOptions& options, const ReportData& data) {
 int run_report(const ReportOptions& options) {
   const Config config;
   const std::unique_ptr<Scene> scene = options.scene.open_one(config, Lighting::kGouraud);
+  std::uint64_t in_view = 0;
+  scene->real(0, [&](const RealTriangle&) { ++in_view; });
+  if (in_view == 0) {
+    throw Error(ErrorCode::kScene, options.scene.path, "nothing of it is in the frame");
+  }
   make_folder(options.out);
   ReportData data;
   data.scene = fs::path(options.scene.path).filename().string();
   data.command = fmt::format("halfspace report {} --out {}", options.scene.path, options.out);
+  if (!options.scene.size.empty()) data.command += " --size " + options.scene.size;
+  if (options.scene.case_id >= 0) data.command += fmt::format(" --case {}", options.scene.case_id);
+  data.command += options.scene.camera.text();
   data.config = config;
   data.frame = scene->frame(0, config);
   const bool draw = can_draw();

@@ -270,12 +270,16 @@ FrameSize frame_size(const std::string& text, const Config& config) {
   return size;
 }
 
+bool is_tcov(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".tcov";
+}
+
 std::unique_ptr<Scene> open_scene(const std::string& path, int case_id, const FrameSize& size,
                                   const CameraOptions& camera, Lighting lighting, int views,
                                   double simplify_px) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (extension == ".tcov") return make_tcov_scene(path, case_id);
+  if (is_tcov(path)) return make_tcov_scene(path, case_id);
   return make_mesh_scene(path, size.width, size.height, camera, lighting, views, simplify_px);
 }
 

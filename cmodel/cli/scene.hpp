@@ -83,6 +83,9 @@ FrameSize frame_size(const std::string& text, const Config& config);
 // Throws Error(kSize) when the configuration's viewport is smaller.
 void require_size(int width, int height, const Config& config, const std::string& place);
 
+// Does the name end in .tcov, in capitals or not?
+bool is_tcov(const std::string& path);
+
 // A TCOV file's cases when the name ends in .tcov (size and camera are not used), else a mesh.
 std::unique_ptr<Scene> open_scene(const std::string& path, int case_id, const FrameSize& size,
                                   const CameraOptions& camera, Lighting lighting, int views = 1,

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "../io/error.hpp"
+#include "number_checks.hpp"
 
 namespace halfspace {
 
@@ -16,7 +17,7 @@ void SceneOptions::add_to(CLI::App& command, const std::string& name) {
       .add_option("--size", size, "Frame size in pixels (default 640x480; a TCOV file has its own)")
       ->type_name("WxH");
   camera.add_to(command);
-  command.add_option("--case", case_id, "The case of a TCOV file");
+  command.add_option("--case", case_id, "The case of a TCOV file")->check(whole());
 }
 
 std::unique_ptr<Scene> SceneOptions::open(const Config& config, Lighting lighting,

@@ -13,6 +13,7 @@
 #include "../io/output_file.hpp"
 #include "../io/vectors_bench.hpp"
 #include "../io/vectors_file.hpp"
+#include "number_checks.hpp"
 
 namespace halfspace {
 namespace {
@@ -102,6 +103,7 @@ int run_vectors(const VectorsRequest& request) {
   if (!request.from.empty()) read = read_vectors(request.from);
   const VectorMeta meta = read.empty() ? meta_of(request) : read.front().set.meta;
   require_request(request, meta);
+  check_distinct(request.out);
   for (const std::string& out : request.out) {
     vector_format(out, request.format);
     check_writable(out);
@@ -152,9 +154,11 @@ Action add_vectors_command(CLI::App& program) {
                       "Name of the manifest, beside the files (default NAME.manifest.json)");
   command->add_option("--bench", o->bench,
                       "Folder for a self-checking SystemVerilog bench with its vectors");
-  command->add_option("--count", o->count,
-                      "Triangles (default: all of a file, 1000 of a generator)");
+  command
+      ->add_option("--count", o->count, "Triangles (default: all of a file, 1000 of a generator)")
+      ->check(whole(1));
   command->add_option("--seed", o->seed, "Seed of the generator and of the stalls")
+      ->check(whole())
       ->capture_default_str();
   command->add_option("--stall", o->stall, "Probability that input or output is held up, 0..0.95")
       ->capture_default_str();
@@ -163,16 +167,22 @@ Action add_vectors_command(CLI::App& program) {
       ->capture_default_str();
   command->add_option("--size", o->size, "Frame size in pixels (default 640x480)")
       ->type_name("WxH");
-  command->add_option("--case", o->case_id, "The case of a TCOV file (default: all)");
+  command->add_option("--case", o->case_id, "The case of a TCOV file (default: all)")
+      ->check(whole());
   add_cull_option(*command, o->cull);
   o->config.add_to(*command);
   o->camera.add_to(*command);
-  command->add_option("--from", o->from, "Vectors to write again, in other formats or as a bench");
+  CLI::Option* from = command->add_option("--from", o->from,
+                                          "Vectors to write again, in other formats or as a bench");
+  for (const char* other : {"--config", "--samples", "--generate", "--stage", "--size", "--case"}) {
+    from->excludes(command->get_option(other));  // the vectors have their own
+  }
   command
       ->add_option("--goal", o->goal,
                    "The fewest triangles found that hit this part of the reachable bins")
       ->type_name("PERCENT");
   command->add_option("--tries", o->tries, "Triangles that --goal draws at most")
+      ->check(whole(1))
       ->capture_default_str();
   command->add_option("--times", o->times, "How often --goal hits each bin, where it can")
       ->capture_default_str();

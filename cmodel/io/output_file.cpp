@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -61,7 +62,26 @@ void OutputFile::commit() {
   remove_on_interrupt({});
 }
 
-void check_writable(const std::string& path) { OutputFile probe(path); }
+void check_writable(const std::string& path) {
+  if (path.empty()) throw Error(ErrorCode::kUsage, "", "an output has an empty name");
+  OutputFile probe(path);
+}
+
+void check_distinct(const std::vector<std::string>& paths) {
+  std::vector<fs::path> seen;
+  for (const std::string& path : paths) {
+    std::error_code ignored;
+    const fs::path whole = fs::weakly_canonical(fs::absolute(path, ignored), ignored);
+    // What is written to a device goes one after the other.
+    if (path.empty() || (fs::exists(whole, ignored) && !fs::is_regular_file(whole, ignored))) {
+      continue;
+    }
+    if (std::find(seen.begin(), seen.end(), whole) != seen.end()) {
+      throw Error(ErrorCode::kUsage, path, "two outputs have this name");
+    }
+    seen.push_back(whole);
+  }
+}
 
 std::string read_file(const std::string& path) {
   std::error_code ignored;

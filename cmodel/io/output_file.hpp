@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace halfspace {
 
@@ -32,6 +33,10 @@ class OutputFile {
 
 // Throws Error(kFileWrite) when path could not be created: asked before long work starts.
 void check_writable(const std::string& path);
+
+// Throws Error(kUsage) when two of the outputs are the same file: one would replace the other.
+// Empty names count as none.
+void check_distinct(const std::vector<std::string>& paths);
 
 // The whole of a file. Throws Error(kFileRead).
 std::string read_file(const std::string& path);

@@ -72,6 +72,7 @@ class Model {
     const std::pair<const char*, std::int32_t> values[] = {{"subpixel_bits", i.subpixel_bits},
                                                            {"viewport_bits", i.viewport_bits},
                                                            {"guard_bits", i.guard_bits},
+                                                           {"extent_bits", i.extent_bits},
                                                            {"samples", i.samples},
                                                            {"grid_log2", i.grid_log2},
                                                            {"setup_interval", i.setup_interval},
