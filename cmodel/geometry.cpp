@@ -126,6 +126,16 @@ std::int64_t snap(double px, const Config& config) {
   return whole;
 }
 
+GeometryStats& GeometryStats::operator+=(const GeometryStats& other) {
+  triangles_in += other.triangles_in;
+  dropped_not_finite += other.dropped_not_finite;
+  outside += other.outside;
+  clipped += other.clipped;
+  beyond_sides += other.beyond_sides;
+  triangles_out += other.triangles_out;
+  return *this;
+}
+
 GeometryStage::GeometryStage(const FrameState& frame, const Config& config)
     : config_(config),
       volume_(clip_volume(frame, config)),

@@ -75,6 +75,7 @@ struct GeometryStats {
                                          // range: what is left, if anything, was cut there
   std::uint64_t triangles_out = 0;
   bool operator==(const GeometryStats&) const = default;
+  GeometryStats& operator+=(const GeometryStats& other);
 };
 
 // Clips, projects, snaps and packs one triangle after another. Holds what depends on the frame

@@ -49,6 +49,54 @@ class Refusals(unittest.TestCase):
                      ("render", TEAPOT, "--out", "")):
             self.refused("HS001", *args)
 
+    def test_a_second_output_that_fails_leaves_no_first(self):
+        tcov = TESTS / "data/public.tcov"
+        for args in (("render", TEAPOT, "--size", "64x48", "--out", "a.png", "--stats", "/dev/full"),
+                     ("render", TEAPOT, "--size", "64x48", "--level", "cycle", "--out", "a.png",
+                      "--stats", "/dev/full", "--trace", "a.json"),
+                     ("coverage", tcov, "--out", "a.tcov", "--stats", "/dev/full"),
+                     ("vectors", "--generate", "all", "--count", "3", "--config", "tiny", "--out",
+                      "a.csv", "b.hsv", "--bench", "/proc/self")):
+            self.refused("HS030", *args)
+
+    def test_cameras_without_a_direction(self):
+        for args in (("--eye", "1,2,3", "--target", "1,2,3"), ("--up", "0,0,0"),
+                     ("--eye", "1e200,0,0"), ("--target", "0,-1e101,0")):
+            self.refused("HS001", "render", TEAPOT, "--out", "a.png", *args)
+
+    def test_options_that_would_do_nothing(self):
+        vectors = TESTS / "vectors/tiny.hsv"
+        for args in (("render", TEAPOT, "--case", "0", "--out", "a.png"),
+                     ("explain", TEAPOT, "1", "1", "--case", "0"),
+                     ("vectors", "--check", vectors, "--out", "a.csv"),
+                     ("vectors", "--check", vectors, "--config", "tiny"),
+                     ("vectors", "--bins", vectors, "--goal", "90"),
+                     ("chart", "--list", "--out", "a.json"),
+                     ("chart", "subpixel", "--size", "64x48", "--out", "a.json"),
+                     ("stability", "--list", "--out", "a.json"),
+                     ("stability", "--explain", "a/b", "--out", "a.json", "--picture", "a.png"),
+                     ("config", "--derived", "--area"),
+                     ("bench", "--mesh-out", "a.ply", "--out", "a.json")):
+            self.refused("HS001", *args)
+
+    def test_files_without_a_case(self):
+        with tempfile.TemporaryDirectory() as folder:
+            empty = pathlib.Path(folder) / "empty.tcov"
+            empty.write_text("TCOV 1 0\n")
+            for args in (("render", empty, "--out", "a.png"),
+                         ("coverage", empty, "--out", "a.tcov"),
+                         ("explain", empty, "0", "0"),
+                         ("report", empty, "--out", "page"),
+                         ("chart", "subpixel", "--scene", empty, "--out", "a.json"),
+                         ("fit", empty, "--out", "a.json")):
+                self.refused("HS041", *args)
+
+    def test_configurations_that_say_a_thing_twice(self):
+        with tempfile.TemporaryDirectory() as folder:
+            twice = pathlib.Path(folder) / "twice.json"
+            twice.write_text('{"samples": 1, "samples": 4}')
+            self.refused("HS003", "render", TEAPOT, "--config", twice, "--out", "a.png")
+
     def test_views_that_show_nothing(self):
         self.refused("HS041", "report", TEAPOT, *AWAY, "--out", "page")
 

@@ -97,7 +97,9 @@ class TcovFile : public testing::Test {
 
 TEST_F(TcovFile, RoundTripKeepsEverything) {
   const std::vector<TcovCase> before = read_tcov(kPublic);
-  write_tcov(path_, before);
+  OutputFile file(path_);
+  write_tcov(file, before);
+  file.commit();
   const std::vector<TcovCase> after = read_tcov(path_);
   ASSERT_EQ(after.size(), before.size());
   for (std::size_t i = 0; i < before.size(); ++i) {

@@ -66,7 +66,9 @@ std::filesystem::path scratch(const std::string& name) {
 
 std::string bytes_of(const TraceLog& log, const std::string& name) {
   const std::filesystem::path path = scratch(name);
-  write_trace(path.string(), log);
+  OutputFile file(path.string());
+  write_trace(file, log);
+  file.commit();
   std::string bytes = read_file(path.string());
   std::filesystem::remove(path);
   return bytes;

@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 
 #include <cctype>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <sstream>
 
 #include "../io/error.hpp"
@@ -12,6 +14,9 @@
 
 namespace halfspace {
 namespace {
+
+// Squares of distances stay finite.
+constexpr double kFurthest = 1e100;
 
 glm::dvec3 parse_vector(const std::string& text, const char* option) {
   glm::dvec3 value{0.0};
@@ -22,6 +27,10 @@ glm::dvec3 parse_vector(const std::string& text, const char* option) {
   if (stream.fail() || comma1 != ',' || comma2 != ',' || !(stream >> std::ws).eof()) {
     throw Error(ErrorCode::kUsage, option,
                 fmt::format("'{:.40}' is not three numbers X,Y,Z", text));
+  }
+  if (glm::any(glm::greaterThan(glm::abs(value), glm::dvec3(kFurthest)))) {
+    throw Error(ErrorCode::kUsage, option,
+                fmt::format("'{:.40}' is out of range (-{:g}..{:g})", text, kFurthest, kFurthest));
   }
   return value;
 }
@@ -44,6 +53,12 @@ CameraOptions CameraArguments::options() const {
   if (!eye.empty()) camera.eye = parse_vector(eye, "--eye");
   if (!target.empty()) camera.target = parse_vector(target, "--target");
   if (!up.empty()) camera.up = parse_vector(up, "--up");
+  if (camera.eye && camera.target && *camera.eye == *camera.target) {
+    throw Error(ErrorCode::kUsage, "--eye", "is where the camera looks: it has no direction");
+  }
+  if (camera.up && *camera.up == glm::dvec3(0.0)) {
+    throw Error(ErrorCode::kUsage, "--up", "0,0,0 is no direction");
+  }
   if (fov != 0) {
     if (!(fov > 0 && fov < 180)) {
       throw Error(ErrorCode::kUsage, "--fov",

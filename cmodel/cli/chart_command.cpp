@@ -71,10 +71,14 @@ Action add_chart_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("chart", "Measure one chart's data, draw it");
   auto o = std::make_shared<ChartOptions>();
   command->add_option("NAME", o->name, "Which chart: see --list");
-  command->add_flag("--list", o->list, "Name every chart and stop");
+  CLI::Option* list = command->add_flag("--list", o->list, "Name every chart and stop");
   command->add_option("--out", o->out,
                       "File to write: .json for the data; .svg or .png need python3-matplotlib");
   o->scene.add_to(*command, "--scene");
+  stands_alone(*command, list);
+  for (const char* other : {"--size", "--eye", "--target", "--up", "--fov", "--ortho", "--case"}) {
+    command->get_option(other)->needs(command->get_option("--scene"));
+  }
   command->footer(
       "Without --scene the charts of docs/charts are measured again, on seeded triangles.\n"
       "Drawing is done by testbench/charts.py of the source tree the program was built in, or the "

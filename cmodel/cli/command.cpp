@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "../io/config_json.hpp"
 #include "../io/error.hpp"
@@ -17,7 +18,17 @@ Level parse_level(const std::string& name) {
   if (name == "cycle") return Level::kCycle;
   if (name == "rtl") return Level::kRtl;
   throw Error(ErrorCode::kUsage, "--level",
-              fmt::format("'{}' is not coverage, bit, cycle or rtl", name));
+              fmt::format("'{}' is not coverage, bit, cycle, rtl or auto", name));
+}
+
+void stands_alone(CLI::App& command, CLI::Option* option, const std::vector<std::string>& with) {
+  const CLI::Option* help = command.get_help_ptr();
+  for (CLI::Option* other : command.get_options()) {
+    const bool allowed = std::any_of(with.begin(), with.end(), [&](const std::string& name) {
+      return other == command.get_option(name);
+    });
+    if (other != option && other != help && !allowed) option->excludes(other);
+  }
 }
 
 void require_level(Level level, const Config& config) {

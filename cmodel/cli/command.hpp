@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "../config.hpp"
 #include "../packets.hpp"
@@ -13,7 +14,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace halfspace {
 
@@ -31,6 +33,11 @@ struct ConfigOptions {
   void add_to(CLI::App& command);
   Config load() const;  // legal; throws Error
 };
+
+// An option that makes the command do another thing: together with any but those of `with` it is
+// refused, because they would do nothing. Call it after the last option was added.
+void stands_alone(CLI::App& command, CLI::Option* option,
+                  const std::vector<std::string>& with = {});
 
 // Throws Error(kLevel) when the level is rtl and this build has none of the configuration.
 void require_level(Level level, const Config& config);

@@ -58,7 +58,8 @@ Action add_config_command(CLI::App& program) {
   auto area = std::make_shared<bool>(false);
   options->add_to(*command);
   command->add_flag("--derived", *derived, "Print derived widths (bits) instead");
-  command->add_flag("--area", *area, "Print the estimated area (ECP5 cells) instead");
+  command->add_flag("--area", *area, "Print the estimated area (ECP5 cells) instead")
+      ->excludes(command->get_option("--derived"));
   command->footer("Example: halfspace config --config d3d --derived");
   return [options, derived, area] {
     const Config config = options->load();

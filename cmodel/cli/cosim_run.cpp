@@ -164,11 +164,13 @@ void check_trace(const std::string& path, std::size_t frames) {
   check_writable(path);
 }
 
-void write_traces(const std::string& path, RtlRasterizer& rtl, const Frame& frame,
-                  const Config& config, const Stalls& stalls) {
-  write_trace(model_trace_path(path), trace_model(frame.triangles, frame.state, config, stalls));
+void write_traces(OutputGroup& outputs, const std::string& path, RtlRasterizer& rtl,
+                  const Frame& frame, const Config& config, const Stalls& stalls) {
+  write_trace(outputs.open(model_trace_path(path)),
+              trace_model(frame.triangles, frame.state, config, stalls));
   try {
-    write_trace(path, trace_rtl(rtl, frame.triangles, frame.state, stalls));
+    const TraceLog log = trace_rtl(rtl, frame.triangles, frame.state, stalls);
+    write_trace(outputs.open(path), log);
   } catch (const std::runtime_error& error) {  // an RTL that differs from the model may do anything
     fmt::print(stderr, "halfspace: note: no trace of the RTL: {}\n", error.what());
   }
@@ -213,6 +215,7 @@ int run_cosim(const CosimRequest& request) {
   const std::unique_ptr<RtlRasterizer> rtl = make_rtl_rasterizer(config);
 
   Totals totals;
+  OutputGroup outputs;
   std::optional<Mismatch> mismatch;
   for (std::size_t i = 0; i < scene->frames() && !mismatch; ++i) {
     Frame frame{.index = i, .state = {}, .triangles = {}};
@@ -228,7 +231,7 @@ int run_cosim(const CosimRequest& request) {
     const CosimResult result = cosim(*rtl, frame.triangles, frame.state, config, options);
     totals.add(result);
     if (is_trace_file(request.trace)) {
-      write_traces(request.trace, *rtl, frame, config, options.stalls);
+      write_traces(outputs, request.trace, *rtl, frame, config, options.stalls);
     }
     if (!result.mismatch) continue;
     mismatch = result.mismatch;
@@ -243,10 +246,10 @@ int run_cosim(const CosimRequest& request) {
   }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   if (!request.stats.empty()) {
-    OutputFile file(request.stats);
-    file.write(report(request, config, totals, mismatch, wall.count()).dump(2) + "\n");
-    file.commit();
+    outputs.open(request.stats)
+        .write(report(request, config, totals, mismatch, wall.count()).dump(2) + "\n");
   }
+  outputs.commit();
   if (mismatch) return 1;
   if (totals.packets == 0) {
     fmt::print(stderr, "halfspace: nothing was compared: no triangle reached the rasterizer\n");

@@ -84,9 +84,11 @@ void run_coverage(const CoverageOptions& options) {
                "halfspace: note: {} coordinates are finer than 1/{} px and were snapped again\n",
                stats.resnapped, 1 << config.subpixel_bits);
   }
-  write_tcov(options.out, results);
+  OutputGroup outputs;
+  write_tcov(outputs.open(options.out), results);
   stats.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  if (!options.stats.empty()) write_stats(options.stats, stats, config);
+  if (!options.stats.empty()) write_stats(outputs.open(options.stats), stats, config);
+  outputs.commit();
 }
 
 }  // namespace

@@ -148,8 +148,7 @@ void check_trace(const std::string& path, Level level) {
 }
 
 // The handshakes of the frame, in a run of their own.
-void write_level_trace(const std::string& path, Level level, const Scene& scene, Cull cull,
-                       const Config& config) {
+TraceLog level_trace(Level level, const Scene& scene, Cull cull, const Config& config) {
   if (scene.frames() > 1) {
     throw Error(ErrorCode::kUsage, "--trace",
                 fmt::format("the file has {} cases: choose one with --case", scene.frames()));
@@ -160,11 +159,8 @@ void write_level_trace(const std::string& path, Level level, const Scene& scene,
   std::vector<Triangle> triangles;
   scene.draw(0, frame, config, unused,
              [&](const ShadedTriangle& triangle) { triangles.push_back(triangle.triangle); });
-  if (level == Level::kRtl) {
-    write_rtl_trace(path, triangles, frame, config);
-  } else {
-    write_trace(path, trace_model(triangles, frame, config, Stalls()));
-  }
+  return level == Level::kRtl ? trace_rtl_level(triangles, frame, config)
+                              : trace_model(triangles, frame, config, Stalls());
 }
 
 void run_render(const RenderOptions& options) {
@@ -209,10 +205,14 @@ void run_render(const RenderOptions& options) {
     }
   }
   if (images.empty()) throw Error(ErrorCode::kScene, options.scene.path, "has no cases");
-  write_png(options.out, contact_sheet(images));
+  OutputGroup outputs;
+  write_png(outputs.open(options.out), contact_sheet(images));
   stats.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  if (!options.stats.empty()) write_stats(options.stats, stats, config);
-  if (!options.trace.empty()) write_level_trace(options.trace, level, *scene, cull, config);
+  if (!options.stats.empty()) write_stats(outputs.open(options.stats), stats, config);
+  if (!options.trace.empty()) {
+    write_trace(outputs.open(options.trace), level_trace(level, *scene, cull, config));
+  }
+  outputs.commit();
 }
 
 }  // namespace

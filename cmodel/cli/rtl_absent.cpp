@@ -15,9 +15,9 @@ std::uint64_t rasterize_rtl(std::span<const Triangle>, const FrameState&, const 
   return 0;
 }
 
-void write_rtl_trace(const std::string&, std::span<const Triangle>, const FrameState&,
-                     const Config& config) {
+TraceLog trace_rtl_level(std::span<const Triangle>, const FrameState&, const Config& config) {
   require_rtl(config, "--trace");
+  return {};
 }
 
 int run_cosim(const CosimRequest& request) {

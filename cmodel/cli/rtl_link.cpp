@@ -34,10 +34,10 @@ std::uint64_t rasterize_rtl(std::span<const Triangle> triangles, const FrameStat
   }
 }
 
-void write_rtl_trace(const std::string& path, std::span<const Triangle> triangles,
-                     const FrameState& frame, const Config& config) {
+TraceLog trace_rtl_level(std::span<const Triangle> triangles, const FrameState& frame,
+                         const Config& config) {
   try {
-    write_trace(path, trace_rtl(*open_rtl(config, "--trace"), triangles, frame, {}));
+    return trace_rtl(*open_rtl(config, "--trace"), triangles, frame, {});
   } catch (const Error&) {
     throw;
   } catch (const std::runtime_error& error) {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "../config.hpp"
+#include "../io/trace.hpp"
 #include "../packets.hpp"
 #include "../stalls.hpp"
 
@@ -24,8 +25,8 @@ std::uint64_t rasterize_rtl(std::span<const Triangle> triangles, const FrameStat
                             const Config& config,
                             const std::function<void(const CoverageTile&)>& tile);
 
-// The handshakes of level rtl, into a file (io/trace.hpp). Throws as rasterize_rtl().
-void write_rtl_trace(const std::string& path, std::span<const Triangle> triangles,
-                     const FrameState& frame, const Config& config);
+// The handshakes of level rtl (io/trace.hpp). Throws as rasterize_rtl().
+TraceLog trace_rtl_level(std::span<const Triangle> triangles, const FrameState& frame,
+                         const Config& config);
 
 }  // namespace halfspace

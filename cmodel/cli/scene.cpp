@@ -82,7 +82,7 @@ class MeshScene : public Scene {
       ++tag;
       progress.advance();
     }
-    stats.geometry = stage.stats();
+    stats.geometry += stage.stats();
     stats.simulate_seconds += seconds_since(start);
   }
 
@@ -109,7 +109,7 @@ class MeshScene : public Scene {
       part.clear();
     }
     engine.draw(part.vertices(), part.triangles());
-    stats.geometry = engine.geometry();
+    stats.geometry += engine.geometry();
     stats.simulate_seconds += seconds_since(start);
   }
 
@@ -280,6 +280,9 @@ std::unique_ptr<Scene> open_scene(const std::string& path, int case_id, const Fr
                                   const CameraOptions& camera, Lighting lighting, int views,
                                   double simplify_px) {
   if (is_tcov(path)) return make_tcov_scene(path, case_id);
+  if (case_id >= 0) {
+    throw Error(ErrorCode::kUsage, "--case", fmt::format("{} is no TCOV file: no cases", path));
+  }
   return make_mesh_scene(path, size.width, size.height, camera, lighting, views, simplify_px);
 }
 

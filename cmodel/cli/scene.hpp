@@ -44,12 +44,12 @@ class Scene {
   // stage.
   virtual void draw(std::size_t index, const FrameState& frame, const Config& config,
                     RunStats& stats, const TriangleSink& sink) const = 0;
-  // The same triangles before they are snapped, in the same order; a TCOV case's are as in the
-  // file.
-  virtual void real(std::size_t index, const RealSink& sink) const = 0;
   // The same into a frame engine, many triangles at a time.
   virtual void draw(std::size_t index, const FrameState& frame, const Config& config,
                     RunStats& stats, FrameEngine& engine) const;
+  // The same triangles before they are snapped, in the same order; a TCOV case's are as in the
+  // file.
+  virtual void real(std::size_t index, const RealSink& sink) const = 0;
   // A mesh's camera, and its triangles before clipping, in order; null and none for a TCOV case.
   virtual const Camera* camera(std::size_t) const { return nullptr; }
   virtual void faces(std::size_t, const FaceSink&) const {}
@@ -87,6 +87,7 @@ void require_size(int width, int height, const Config& config, const std::string
 bool is_tcov(const std::string& path);
 
 // A TCOV file's cases when the name ends in .tcov (size and camera are not used), else a mesh.
+// Throws Error(kUsage) for a case of a mesh.
 std::unique_ptr<Scene> open_scene(const std::string& path, int case_id, const FrameSize& size,
                                   const CameraOptions& camera, Lighting lighting, int views = 1,
                                   double simplify_px = 0);

@@ -29,6 +29,7 @@ std::unique_ptr<Scene> SceneOptions::open(const Config& config, Lighting lightin
 std::unique_ptr<Scene> SceneOptions::open_one(const Config& config, Lighting lighting) const {
   std::unique_ptr<Scene> scene = open(config, lighting);
   if (scene->frames() == 1) return scene;
+  if (scene->frames() == 0) throw Error(ErrorCode::kScene, path, "has no cases");
   throw Error(ErrorCode::kUsage, path,
               fmt::format("the file has {} cases: choose one with --case", scene->frames()));
 }

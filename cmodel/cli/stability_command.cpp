@@ -72,11 +72,15 @@ Action add_stability_command(CLI::App& program) {
   auto o = std::make_shared<StabilityOptions>();
   command->add_option("--method", o->methods, "Only these methods (see halfspace methods)");
   command->add_option("--suite", o->suites, "Only these suites (see --list)");
-  command->add_flag("--list", o->list, "Name every suite and its reason, and stop");
+  CLI::Option* list =
+      command->add_flag("--list", o->list, "Name every suite and its reason, and stop");
   command->add_option("--out", o->out, "JSON file to write, instead of a table on stdout");
-  command->add_option("--explain", o->explain, "Draw the worst case of one cell")
-      ->type_name("METHOD/SUITE");
+  CLI::Option* explain =
+      command->add_option("--explain", o->explain, "Draw the worst case of one cell");
+  explain->type_name("METHOD/SUITE");
   command->add_option("--picture", o->picture, "PNG file for --explain");
+  stands_alone(*command, list);
+  stands_alone(*command, explain, {"--picture"});
   command->footer(
       "Figures are wrong pixels per million covered, against CGAL's exact predicates.\n"
       "Example: halfspace stability --explain walk_closed/shared_edges --picture out/worst.png");

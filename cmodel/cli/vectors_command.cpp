@@ -71,11 +71,8 @@ void require_request(const VectorsRequest& request, const VectorMeta& meta) {
   }
 }
 
-// Everything to write, by folder.
-using Outputs = std::vector<std::pair<std::string, std::vector<NamedBytes>>>;
-
-Outputs outputs_of(const VectorsRequest& request, const VectorSet& set) {
-  Outputs outputs;
+FolderFiles outputs_of(const VectorsRequest& request, const VectorSet& set) {
+  FolderFiles outputs;
   for (const std::string& out : request.out) {
     const fs::path path(out);
     const std::vector<NamedBytes> files =
@@ -118,12 +115,12 @@ int run_vectors(const VectorsRequest& request) {
                 fmt::format("{} inputs, {} outputs of {}: nothing to compare", counts.inputs,
                             counts.outputs, stage_name(meta.stage)));
   }
-  const Outputs outputs = outputs_of(request, set);
+  const FolderFiles outputs = outputs_of(request, set);
   if (!request.bench.empty()) {
     std::error_code failed;
     fs::create_directories(request.bench, failed);  // write_files() says what is wrong
   }
-  for (const auto& [folder, files] : outputs) write_files(folder, files);
+  write_files(outputs);
   fmt::print("{}: {} runs, {} inputs, {} outputs\n", stage_name(meta.stage), counts.runs,
              counts.inputs, counts.outputs);
   return made.reached ? 0 : 1;
@@ -186,10 +183,13 @@ Action add_vectors_command(CLI::App& program) {
       ->capture_default_str();
   command->add_option("--times", o->times, "How often --goal hits each bin, where it can")
       ->capture_default_str();
-  command->add_option("--bins", o->bins, "Report the bins that the triangles of a file hit");
+  CLI::Option* bins =
+      command->add_option("--bins", o->bins, "Report the bins that the triangles of a file hit");
   command->add_flag("--list-bins", o->list_bins, "Report the bins that are hit too");
-  command->add_option("--check", o->check,
-                      "Build every expected result of a file or manifest again and compare");
+  CLI::Option* check = command->add_option(
+      "--check", o->check, "Build every expected result of a file or manifest again and compare");
+  stands_alone(*command, check);
+  stands_alone(*command, bins, {"--list-bins"});
   command->footer(
       "Exit status: 0 done, equal or goal reached; 1 --check found a difference, or bins are "
       "missed; 2 bad input.\n"

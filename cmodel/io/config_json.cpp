@@ -5,6 +5,7 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "error.hpp"
 #include "output_file.hpp"
@@ -85,14 +86,24 @@ void require_legal(const Config& config, const std::string& place) {
 
 Config parse_config(const std::string& text, const std::string& place) {
   nlohmann::json json;
+  std::set<std::string> keys;
+  std::string twice;
+  const auto see = [&](int depth, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
+    if (depth != 1 || event != nlohmann::json::parse_event_t::key) return true;
+    if (!keys.insert(parsed.get<std::string>()).second) twice = parsed.get<std::string>();
+    return true;
+  };
   try {
-    json = nlohmann::json::parse(text);
+    json = nlohmann::json::parse(text, see);
   } catch (const nlohmann::json::parse_error& error) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     const auto line = 1 + std::count(text.begin(), end, '\n');
     throw Error(ErrorCode::kConfigRead, fmt::format("{}:{}", place, line), "not valid JSON");
   }
   if (!json.is_object()) throw Error(ErrorCode::kConfigRead, place, "not a JSON object");
+  if (!twice.empty()) {
+    throw Error(ErrorCode::kConfigKey, place, fmt::format("key '{:.40}' is there twice", twice));
+  }
   Config config;
   if (json.contains("preset")) {
     if (!json["preset"].is_string()) {

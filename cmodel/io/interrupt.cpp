@@ -4,24 +4,32 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <csignal>
 #include <cstring>
 
 namespace halfspace {
 namespace {
 
-// Fixed storage, because a handler may not allocate. `unfinished[0] == 0` means none.
-std::array<char, 4096> unfinished{};
+// Fixed storage, because a handler may not allocate. A name that begins with 0 is none.
+using Name = std::array<char, 4096>;
+std::array<Name, 64> unfinished{};
+
+void remove_unfinished() {
+  for (const Name& name : unfinished) {
+    if (name[0] != 0) ::unlink(name.data());
+  }
+}
 
 // A failed check has said its line already.
 extern "C" void on_abort(int) {
-  if (unfinished[0] != 0) ::unlink(unfinished.data());
+  remove_unfinished();
   ::_exit(2);
 }
 
 extern "C" void on_interrupt(int) {
   static constexpr char kLine[] = "\nhalfspace: error[HS050]: interrupted; nothing was written\n";
-  if (unfinished[0] != 0) ::unlink(unfinished.data());
+  remove_unfinished();
   [[maybe_unused]] const ssize_t written =
       ::write(STDERR_FILENO, kLine + (::isatty(2) ? 0 : 1), sizeof kLine - (::isatty(2) ? 1u : 2u));
   ::_exit(2);
@@ -39,11 +47,22 @@ void handle_interrupts() {
   ::sigaction(SIGABRT, &action, nullptr);
 }
 
+// The first byte is written last, or first when cleared: an interrupt sees a whole name or none.
 void remove_on_interrupt(const std::string& path) {
-  if (path.size() >= unfinished.size()) return;
-  unfinished[0] = 0;
-  std::memcpy(unfinished.data() + 1, path.c_str() + (path.empty() ? 0 : 1), path.size());
-  unfinished[0] = path.empty() ? '\0' : path[0];
+  if (path.empty() || path.size() >= Name().size()) return;
+  for (Name& name : unfinished) {
+    if (name[0] != 0) continue;
+    std::memcpy(name.data() + 1, path.c_str() + 1, path.size());
+    std::atomic_signal_fence(std::memory_order_release);
+    name[0] = path[0];
+    return;
+  }
+}
+
+void keep_on_interrupt(const std::string& path) {
+  for (Name& name : unfinished) {
+    if (path == name.data()) name[0] = 0;
+  }
 }
 
 }  // namespace halfspace

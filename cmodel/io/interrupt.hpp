@@ -5,13 +5,14 @@
 
 namespace halfspace {
 
-// Installs a handler for SIGINT and SIGTERM that prints one line, removes the unfinished file named
-// by remove_on_interrupt() and ends the process with status 2; one for SIGABRT, which a failed
-// check raises after its own line, does the same without a line. Called once, by main().
+// Installs a handler for SIGINT and SIGTERM that prints one line, removes the unfinished files
+// named by remove_on_interrupt() and ends the process with status 2; one for SIGABRT, which a
+// failed check raises after its own line, does the same without a line. Called once, by main().
 void handle_interrupts();
 
-// The file to remove when interrupted; empty for none. One at a time is enough: outputs are written
-// one after the other.
+// Names a file to remove when interrupted, until keep_on_interrupt() names it again. The first 64
+// of at most 4095 bytes are; a further one keeps its temporary name. One thread calls these.
 void remove_on_interrupt(const std::string& path);
+void keep_on_interrupt(const std::string& path);
 
 }  // namespace halfspace

@@ -29,14 +29,15 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
   if (file_ == nullptr) {
     throw Error(ErrorCode::kFileWrite, path_, std::string("cannot write: ") + std::strerror(errno));
   }
-  if (temporary_ != path_) remove_on_interrupt(temporary_);
+  pending_ = temporary_ != path_;
+  if (pending_) remove_on_interrupt(temporary_);
 }
 
 OutputFile::~OutputFile() {
-  if (file_ == nullptr) return;
-  std::fclose(file_);
-  if (temporary_ != path_) std::remove(temporary_.c_str());
-  remove_on_interrupt({});
+  if (file_ != nullptr) std::fclose(file_);
+  if (!pending_) return;
+  std::remove(temporary_.c_str());
+  keep_on_interrupt(temporary_);
 }
 
 void OutputFile::fail(const char* what) {
@@ -47,19 +48,31 @@ void OutputFile::write(std::string_view bytes) {
   if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) fail("cannot write");
 }
 
-void OutputFile::commit() {
+void OutputFile::finish() {
+  if (file_ == nullptr) return;
   if (std::fflush(file_) != 0 || std::ferror(file_) != 0) fail("cannot write");
-  const int closed = std::fclose(file_);
-  file_ = nullptr;
-  if (closed != 0) {
-    if (temporary_ != path_) std::remove(temporary_.c_str());
-    fail("cannot write");
-  }
-  if (temporary_ != path_ && std::rename(temporary_.c_str(), path_.c_str()) != 0) {
-    std::remove(temporary_.c_str());
+  const int closed = std::fclose(std::exchange(file_, nullptr));
+  if (closed != 0) fail("cannot write");
+}
+
+void OutputFile::commit() {
+  finish();
+  if (!pending_) return;
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) {
     fail("cannot rename the finished file into place");
   }
-  remove_on_interrupt({});
+  pending_ = false;
+  keep_on_interrupt(temporary_);
+}
+
+OutputFile& OutputGroup::open(const std::string& path) {
+  files_.push_back(std::make_unique<OutputFile>(path));
+  return *files_.back();
+}
+
+void OutputGroup::commit() {
+  for (const auto& file : files_) file->finish();
+  for (const auto& file : files_) file->commit();
 }
 
 void check_writable(const std::string& path) {

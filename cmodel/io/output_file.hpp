@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,8 +20,12 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
+  const std::string& path() const { return path_; }
   void write(std::string_view bytes);
   std::FILE* stream() { return file_; }  // for libraries that write to a stream
+  // Everything is written and the file closed, still under its temporary name.
+  void finish();
+  // finish(), if that was not called, and the file is there.
   void commit();
 
  private:
@@ -29,6 +34,18 @@ class OutputFile {
   std::string path_;
   std::string temporary_;
   std::FILE* file_ = nullptr;
+  bool pending_ = false;  // the temporary file is there
+};
+
+// Files that belong together: all are finished before the first is there, so that a full disk
+// leaves none of them. A device is written in place, in the order of open().
+class OutputGroup {
+ public:
+  OutputFile& open(const std::string& path);
+  void commit();
+
+ private:
+  std::vector<std::unique_ptr<OutputFile>> files_;
 };
 
 // Throws Error(kFileWrite) when path could not be created: asked before long work starts.

@@ -6,21 +6,24 @@
 #include <cstring>
 
 #include "error.hpp"
-#include "output_file.hpp"
 
 namespace halfspace {
 
 // libpng's simplified interface: it reports errors by return value, so nothing is jumped over.
-void write_png(const std::string& path, const Image& image) {
+void write_png(OutputFile& file, const Image& image) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   png.width = static_cast<png_uint_32>(image.width);
   png.height = static_cast<png_uint_32>(image.height);
   png.format = PNG_FORMAT_RGB;
-  OutputFile file(path);
   if (png_image_write_to_stdio(&png, file.stream(), 0, image.pixel.data(), 0, nullptr) == 0) {
-    throw Error(ErrorCode::kFileWrite, path, std::string("cannot write: ") + png.message);
+    throw Error(ErrorCode::kFileWrite, file.path(), std::string("cannot write: ") + png.message);
   }
+}
+
+void write_png(const std::string& path, const Image& image) {
+  OutputFile file(path);
+  write_png(file, image);
   file.commit();
 }
 

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "config_json.hpp"
-#include "output_file.hpp"
 
 namespace halfspace {
 
@@ -87,10 +86,8 @@ nlohmann::ordered_json stats_json(const RunStats& stats, const Config& config) {
   return json;
 }
 
-void write_stats(const std::string& path, const RunStats& stats, const Config& config) {
-  OutputFile file(path);
+void write_stats(OutputFile& file, const RunStats& stats, const Config& config) {
   file.write(stats_json(stats, config).dump(2) + "\n");
-  file.commit();
 }
 
 }  // namespace halfspace

@@ -9,6 +9,7 @@
 #include "../config.hpp"
 #include "../geometry.hpp"
 #include "../rasterizer.hpp"
+#include "output_file.hpp"
 
 namespace halfspace {
 
@@ -40,6 +41,6 @@ std::uint64_t peak_memory_bytes();
 nlohmann::ordered_json stats_json(const RunStats& stats, const Config& config);
 
 // Throws Error(kFileWrite).
-void write_stats(const std::string& path, const RunStats& stats, const Config& config);
+void write_stats(OutputFile& file, const RunStats& stats, const Config& config);
 
 }  // namespace halfspace

@@ -11,7 +11,6 @@
 #include "../snap.hpp"
 #include "error.hpp"
 #include "fit_range.hpp"
-#include "output_file.hpp"
 
 namespace halfspace {
 namespace {
@@ -154,11 +153,9 @@ std::vector<TcovCase> read_tcov(const std::string& path) {
   return cases;
 }
 
-void write_tcov(const std::string& path, const std::vector<TcovCase>& cases) {
-  OutputFile file(path);
+void write_tcov(OutputFile& file, const std::vector<TcovCase>& cases) {
   file.write(fmt::format("TCOV 1 {}\n", cases.size()));
   for (const TcovCase& tcov : cases) write_case(file, tcov);
-  file.commit();
 }
 
 TcovTriangles tcov_triangles(const TcovCase& tcov, const Config& config, const std::string& place) {

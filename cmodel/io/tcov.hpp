@@ -7,6 +7,7 @@
 
 #include "../config.hpp"
 #include "../packets.hpp"
+#include "output_file.hpp"
 
 namespace halfspace {
 
@@ -34,7 +35,7 @@ inline constexpr int kTcovMaxSize = 1 << 15;
 std::vector<TcovCase> read_tcov(const std::string& path);
 
 // Writes hits, CRC and sum of each case; its triangles too. Throws Error(kFileWrite).
-void write_tcov(const std::string& path, const std::vector<TcovCase>& cases);
+void write_tcov(OutputFile& file, const std::vector<TcovCase>& cases);
 
 // The case's triangles in the configuration's subpixels.
 struct TcovTriangles {

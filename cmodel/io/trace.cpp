@@ -9,7 +9,6 @@
 
 #include "../cycle_model.hpp"
 #include "error.hpp"
-#include "output_file.hpp"
 
 namespace halfspace {
 namespace {
@@ -224,10 +223,8 @@ std::string model_trace_path(const std::string& path) {
   return path.substr(0, path.size() - extension.size()) + ".model" + std::string(extension);
 }
 
-void write_trace(const std::string& path, const TraceLog& log) {
-  OutputFile file(path);
-  file.write(path.ends_with(kKanata) ? compress(kanata_trace(log)) : chrome_trace(log));
-  file.commit();
+void write_trace(OutputFile& file, const TraceLog& log) {
+  file.write(file.path().ends_with(kKanata) ? compress(kanata_trace(log)) : chrome_trace(log));
 }
 
 }  // namespace halfspace

@@ -14,6 +14,7 @@
 #include "../config.hpp"
 #include "../packets.hpp"
 #include "../stalls.hpp"
+#include "output_file.hpp"
 
 namespace halfspace {
 
@@ -124,7 +125,7 @@ std::vector<std::vector<TracePacket>> trace_packets(const TraceLog& log);
 // Whether write_trace() knows this name's extension: .json or .kanata.gz.
 bool is_trace_file(std::string_view path);
 
-// Writes the log, in the format that the extension of `path` names (is_trace_file()).
+// Writes the log, in the format that the extension of its name says (is_trace_file()).
 //
 //   .json       Chrome trace events, one clock a microsecond; a track per stage with the packets
 //               in its last register. Slices of a track never overlap.
@@ -132,7 +133,7 @@ bool is_trace_file(std::string_view path);
 //               lane 1: waiting, offered and not taken; dropped triangles and empty tiles flushed.
 //
 // Equal logs make equal bytes. Throws Error(kFileWrite).
-void write_trace(const std::string& path, const TraceLog& log);
+void write_trace(OutputFile& file, const TraceLog& log);
 
 // The model's log beside the RTL's: a.kanata.gz -> a.model.kanata.gz. path: is_trace_file().
 std::string model_trace_path(const std::string& path);

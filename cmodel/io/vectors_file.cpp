@@ -134,19 +134,21 @@ NamedBytes vector_manifest(const VectorSet& set, const std::vector<NamedBytes>& 
   return {name, json.dump(1) + "\n"};
 }
 
-void write_files(const std::string& folder, const std::vector<NamedBytes>& files) {
-  const fs::path base(folder);
-  std::vector<std::unique_ptr<OutputFile>> open;
-  for (const NamedBytes& file : files) {
-    open.push_back(std::make_unique<OutputFile>((base / file.name).string()));
-    open.back()->write(file.bytes);
+void write_files(const FolderFiles& folders) {
+  OutputGroup outputs;
+  for (const auto& [folder, files] : folders) {
+    for (const NamedBytes& file : files) {
+      outputs.open((fs::path(folder) / file.name).string()).write(file.bytes);
+    }
   }
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    open[i]->commit();
-    if (!files[i].executable) continue;
-    std::error_code ignored;  // a file system without permissions
-    fs::permissions(base / files[i].name, fs::perms::owner_exec | fs::perms::group_exec,
-                    fs::perm_options::add, ignored);
+  outputs.commit();
+  for (const auto& [folder, files] : folders) {
+    for (const NamedBytes& file : files) {
+      if (!file.executable) continue;
+      std::error_code ignored;  // a file system without permissions
+      fs::permissions(fs::path(folder) / file.name, fs::perms::owner_exec | fs::perms::group_exec,
+                      fs::perm_options::add, ignored);
+    }
   }
 }
 

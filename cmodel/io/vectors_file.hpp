@@ -28,8 +28,11 @@ std::vector<NamedBytes> vector_files(const VectorSet& set, VectorFormat format,
 NamedBytes vector_manifest(const VectorSet& set, const std::vector<NamedBytes>& files,
                            const std::string& name);
 
-// Writes all, or none when one cannot be created. Throws Error(kFileWrite).
-void write_files(const std::string& folder, const std::vector<NamedBytes>& files);
+// Files by folder.
+using FolderFiles = std::vector<std::pair<std::string, std::vector<NamedBytes>>>;
+
+// Writes all of them, or none when one cannot be written. Throws Error(kFileWrite).
+void write_files(const FolderFiles& folders);
 
 // Every set that a file holds or a manifest (.json) names, each with its place for messages. CRCs
 // are compared. Throws Error(kFileRead), Error(kVectorsBroken), ...
