@@ -2,7 +2,8 @@
 #
 # Every C++ file is as clang-format (.clang-format) writes it.
 find_program(CLANG_FORMAT NAMES clang-format clang-format-14 REQUIRED)
-file(GLOB_RECURSE sources ${ROOT}/cmodel/*.[ch]pp ${ROOT}/testbench/*.[ch]pp ${ROOT}/tests/*.[ch]pp)
+file(GLOB_RECURSE sources ${ROOT}/cmodel/*.[ch]pp ${ROOT}/cmodel/*.[ch] ${ROOT}/testbench/*.[ch]pp
+                          ${ROOT}/testbench/*.[ch] ${ROOT}/tests/*.[ch]pp ${ROOT}/tests/*.[ch])
 list(LENGTH sources count)
 if(count EQUAL 0)
   message(FATAL_ERROR "no sources found below ${ROOT}")

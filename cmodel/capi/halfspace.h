@@ -74,18 +74,18 @@ typedef struct hs_info {
   size_t struct_size;
   int32_t subpixel_bits, viewport_bits, guard_bits, samples, grid_log2, setup_interval;
   int32_t tag_bits, depth_bits, attributes, inverse_w_bits, gradient_bits, reciprocal_bits;
-  int32_t snap;         /* 0 nearest even, 1 half away from zero, 2 truncate */
-  int32_t grid;         /* a tile is grid x grid pixels */
-  int32_t levels;       /* grids in the pyramid */
-  int32_t max_size;     /* pixels, greatest frame width and height */
-  int32_t vertex_bits;  /* a coordinate, 2^-subpixel_bits px */
-  int32_t delta_bits;   /* an edge's slopes */
-  int32_t area_bits;    /* the doubled area */
-  int32_t edge_bits;    /* an edge value at any sample of the frame */
-  int32_t lane_bits;    /* an edge value in one lane of a grid */
-  int32_t root_bits;    /* an edge value at the root's origin */
+  int32_t snap;                           /* 0 nearest even, 1 half away from zero, 2 truncate */
+  int32_t grid;                           /* a tile is grid x grid pixels */
+  int32_t levels;                         /* grids in the pyramid */
+  int32_t max_size;                       /* pixels, greatest frame width and height */
+  int32_t vertex_bits;                    /* a coordinate, 2^-subpixel_bits px */
+  int32_t delta_bits;                     /* an edge's slopes */
+  int32_t area_bits;                      /* the doubled area */
+  int32_t edge_bits;                      /* an edge value at any sample of the frame */
+  int32_t lane_bits;                      /* an edge value in one lane of a grid */
+  int32_t root_bits;                      /* an edge value at the root's origin */
   int32_t coordinate_min, coordinate_max; /* legal vertex coordinates, 2^-subpixel_bits px */
-  int32_t extent_bits;  /* every edge is shorter than 2^this px in x and in y; 0: no limit */
+  int32_t extent_bits; /* every edge is shorter than 2^this px in x and in y; 0: no limit */
 } hs_info;
 /* info->struct_size must be set; that many bytes are filled. */
 hs_status hs_get_info(const hs_model* model, hs_info* info);
@@ -106,13 +106,13 @@ enum {
 
 typedef struct hs_frame {
   size_t struct_size;
-  int32_t width, height;      /* pixels, 1..max_size */
-  int32_t cull;               /* HS_CULL_* */
-  int32_t depth_function;     /* HS_DEPTH_* */
-  uint32_t outputs;           /* HS_TILES | ... */
-  uint8_t background[3];      /* red, green, blue where nothing is drawn */
-  uint8_t reserved;           /* 0 */
-  double stall_probability;   /* 0 <= p < 1: how often the world outside holds the hardware up */
+  int32_t width, height;    /* pixels, 1..max_size */
+  int32_t cull;             /* HS_CULL_* */
+  int32_t depth_function;   /* HS_DEPTH_* */
+  uint32_t outputs;         /* HS_TILES | ... */
+  uint8_t background[3];    /* red, green, blue where nothing is drawn */
+  uint8_t reserved;         /* 0 */
+  double stall_probability; /* 0 <= p < 1: how often the world outside holds the hardware up */
   uint64_t stall_seed;
 } hs_frame;
 
@@ -165,13 +165,13 @@ enum {
   HS_CAMERA_TARGET = 2,
   HS_CAMERA_UP = 4,
   HS_CAMERA_FOV = 8,
-  HS_CAMERA_ORTHO = 16,    /* orthographic; ortho_height 0 fits the scene */
+  HS_CAMERA_ORTHO = 16,     /* orthographic; ortho_height 0 fits the scene */
   HS_CAMERA_FLAT_LIGHT = 32 /* a colour per triangle instead of per vertex */
 };
 typedef struct hs_camera {
   size_t struct_size;
   uint32_t flags;
-  uint32_t reserved; /* 0 */
+  uint32_t reserved;               /* 0 */
   double eye[3], target[3], up[3]; /* world units */
   double fov_y_degrees;            /* above 0, below 180 */
   double ortho_height;             /* world units from the bottom of the picture to its top */
@@ -184,7 +184,7 @@ hs_status hs_draw_scene(hs_model* model, const char* path, const hs_camera* came
 
 /* One tile of one triangle, at least one bit set. */
 typedef struct hs_tile {
-  int32_t x, y;      /* its first pixel */
+  int32_t x, y; /* its first pixel */
   uint32_t tag;
   uint32_t samples;  /* masks in use */
   uint64_t clock;    /* the clock edge at which the hardware hands it over; 0 is the first one after
@@ -199,9 +199,9 @@ hs_status hs_pull_tiles(hs_model* model, hs_tile* tile, size_t capacity, size_t*
 typedef struct hs_fragment {
   int32_t x, y; /* pixel */
   uint32_t tag;
-  uint16_t covered;   /* bit m: sample m is inside the triangle */
-  uint16_t passed;    /* bit m: it passed the depth test */
-  uint8_t color[3];   /* red, green, blue */
+  uint16_t covered; /* bit m: sample m is inside the triangle */
+  uint16_t passed;  /* bit m: it passed the depth test */
+  uint8_t color[3]; /* red, green, blue */
   uint8_t reserved;
   uint32_t depth[16]; /* of the samples that passed, depth_bits; 0 elsewhere */
 } hs_fragment;
@@ -211,20 +211,20 @@ hs_status hs_pull_fragments(hs_model* model, hs_fragment* fragment, size_t capac
 
 typedef struct hs_stats {
   size_t struct_size;
-  uint64_t triangles_in;          /* pushed; of hs_push_clip() and scenes, before clipping */
-  uint64_t triangles_not_finite;  /* of these dropped: a coordinate is NaN, infinite, above 1e100 */
-  uint64_t triangles_outside;     /* dropped: nothing of it is seen */
+  uint64_t triangles_in;         /* pushed; of hs_push_clip() and scenes, before clipping */
+  uint64_t triangles_not_finite; /* of these dropped: a coordinate is NaN, infinite, above 1e100 */
+  uint64_t triangles_outside;    /* dropped: nothing of it is seen */
   uint64_t triangles_clipped;
-  uint64_t triangles;             /* entered the hardware */
-  uint64_t triangles_zero_area;   /* of these, dropped by triangle_setup */
+  uint64_t triangles;           /* entered the hardware */
+  uint64_t triangles_zero_area; /* of these, dropped by triangle_setup */
   uint64_t triangles_culled;
   uint64_t triangles_no_sample;
   uint64_t tiles_visited, tiles_covered;
   uint64_t samples_tested, samples_covered;
-  uint64_t fragments;             /* pixels with a covered sample, before the depth test */
-  uint64_t fragments_shaded;      /* of these, with a sample that passed; 0 without depth */
-  uint64_t cycles;                /* clocks to the last edge at which a packet came or went */
-  uint32_t coverage_crc32;        /* as `halfspace render --stats` */
+  uint64_t fragments;        /* pixels with a covered sample, before the depth test */
+  uint64_t fragments_shaded; /* of these, with a sample that passed; 0 without depth */
+  uint64_t cycles;           /* clocks to the last edge at which a packet came or went */
+  uint32_t coverage_crc32;   /* as `halfspace render --stats` */
   uint32_t reserved;
 } hs_stats;
 /* stats->struct_size must be set; that many bytes are filled. */
