@@ -5,9 +5,10 @@
 
 #include <vector>
 
-// All targets are built, baseline or not, so that tests can run them.
-#define HWY_COMPILE_ALL_ATTAINABLE
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#include "simd/targets.hpp"
+
+#undef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS (HALFSPACE_UNUSED_TARGETS | HWY_AVX3_DL)  // VBMI gains nothing here
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "batch/cycle_kernel.cpp"  // found from cmodel/

@@ -5,9 +5,7 @@
 
 #include <vector>
 
-#define HWY_WANT_AVX3_DL
-#define HWY_COMPILE_ALL_ATTAINABLE
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#include "targets.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "batch/simd/frame_kernel.cpp"  // found from cmodel/

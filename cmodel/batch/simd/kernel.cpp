@@ -5,10 +5,7 @@
 
 #include <vector>
 
-// AVX3_DL is AVX-512 with VBMI. All targets are built, baseline or not, so that tests can run them.
-#define HWY_WANT_AVX3_DL
-#define HWY_COMPILE_ALL_ATTAINABLE
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#include "targets.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "batch/simd/kernel.cpp"  // found from cmodel/
