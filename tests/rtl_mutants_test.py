@@ -88,7 +88,8 @@ def compile_common(folder):
     flags = [f"-I{include}", f"-I{include}/vltstd", "-DVM_COVERAGE=0", "-DVM_SC=0", "-DVM_TRACE=1",
              "-DVM_TRACE_FST=1", "-DVM_TRACE_VCD=0", "-DVL_TIME_CONTEXT", "-O0", "-w"]
     sources = [include / "verilated.cpp", include / "verilated_fst_c.cpp",
-               ROOT / "testbench/rtl/cosim.cpp", ROOT / "testbench/synth/mutant_run.cpp"]
+               ROOT / "testbench/rtl/cosim.cpp",
+               ROOT / "testbench/rtl/scoreboard.cpp", ROOT / "testbench/synth/mutant_run.cpp"]
     threads = include / "verilated_threads.cpp"
     if threads.exists():
         sources.append(threads)

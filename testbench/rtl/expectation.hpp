@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the model says will change hands between the stages, and when.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "cycle_model.hpp"
+
+namespace halfspace {
+
+// What the model says will change hands, and when. One struct for all links keeps the queues alike;
+// a field that a link does not have stays at its default on both sides.
+struct Packet {
+  std::uint64_t clock = 0;
+  std::uint64_t triangle = 0;
+  SetupTriangle setup;
+  Node node;
+  CoverageTile tile;
+};
+
+// The packets of all links, made on demand, one triangle at a time.
+class Expectation {
+ public:
+  Expectation(std::span<const Triangle> triangles, const FrameState& frame, const Config& config,
+              const Stalls& stalls)
+      : triangles_(triangles),
+        config_(config),
+        model_(frame, config, stalls),
+        queue_(static_cast<std::size_t>(link_output(config) + 1)) {}
+
+  // The next packet of a link, null when there is none left.
+  const Packet* next(int link) {
+    std::deque<Packet>& queue = queue_[static_cast<std::size_t>(link)];
+    while (queue.empty() && done_ < triangles_.size()) run_one();
+    return queue.empty() ? nullptr : &queue.front();
+  }
+  void pop(int link) { queue_[static_cast<std::size_t>(link)].pop_front(); }
+  const RasterStats& stats() const { return model_.stats(); }
+  double seconds() const { return seconds_; }
+
+ private:
+  struct Listener {
+    Expectation& to;
+    void accepted(std::uint64_t clock) { to.push(kLinkAccept, clock); }
+    void setup(std::uint64_t clock, const SetupTriangle& packet) {
+      to.push(kLinkSetup, clock).setup = packet;
+    }
+    void node(int level, std::uint64_t clock, const Node& packet) {
+      to.push(level + 1, clock).node = packet;
+    }
+    void tile(std::uint64_t clock, const CoverageTile& packet) {
+      to.push(link_output(to.config_), clock).tile = packet;
+    }
+  };
+
+  Packet& push(int link, std::uint64_t clock) {
+    Packet& packet = queue_[static_cast<std::size_t>(link)].emplace_back();
+    packet.clock = clock;
+    packet.triangle = done_;
+    return packet;
+  }
+  void run_one() {
+    const auto start = std::chrono::steady_clock::now();
+    model_.draw(triangles_[done_], Listener{*this});
+    ++done_;
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  std::span<const Triangle> triangles_;
+  Config config_;
+  CycleModel model_;
+  std::vector<std::deque<Packet>> queue_;
+  std::size_t done_ = 0;
+  double seconds_ = 0;
+};
+
+}  // namespace halfspace
