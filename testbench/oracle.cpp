@@ -2,6 +2,7 @@
 #include "oracle.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +58,12 @@ std::span<const Vec> standard_samples(int samples) {
 
 int turn(Vec a, Vec b, Vec c) {
   return static_cast<int>(CGAL::orientation(point(a), point(b), point(c)));
+}
+
+double cross(Vec a, Vec b, Vec p) {
+  using Exact = CGAL::Exact_rational;
+  const Exact x(a.x), y(a.y);
+  return CGAL::to_double((Exact(b.x) - x) * (Exact(p.y) - y) - (Exact(b.y) - y) * (Exact(p.x) - x));
 }
 
 int side(Vec a, Vec b, Vec p) {

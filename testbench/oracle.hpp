@@ -34,6 +34,9 @@ int turn(Vec a, Vec b, Vec c);
 // The same for p moved by (eps, eps^2), eps > 0 infinitesimal: 0 only when a equals b.
 int side(Vec a, Vec b, Vec p);
 
+// The cross product whose sign turn() is, px^2: exact, then rounded to a double of that sign.
+double cross(Vec a, Vec b, Vec p);
+
 // p lies on the line of a and b, strictly between them. Exact.
 bool strictly_between(Vec a, Vec b, Vec p);
 

@@ -12,6 +12,8 @@
 #include "../io/error.hpp"
 #include "command.hpp"
 #include "explain_report.hpp"
+#include "lab_link.hpp"
+#include "method_picture.hpp"
 #include "pictures.hpp"
 #include "scene_options.hpp"
 
@@ -26,6 +28,7 @@ struct ExplainOptions {
   std::string depth_test = "less";
   bool all = false;
   bool json = false;
+  std::string method;
   ConfigOptions config;
 };
 
@@ -41,7 +44,21 @@ int parse_pixel(const std::string& text, const char* name, int size) {
   return value;
 }
 
+// By a method of the gallery, drawn as render --method draws it.
+int explain_by_method(const ExplainOptions& options) {
+  const methods::Method& method = find_method(options.method, "");
+  const Config config = options.config.load();
+  const std::unique_ptr<Scene> scene = options.scene.open_one(config, Lighting::kGouraud);
+  const FrameState frame = scene->frame(0, config);
+  const nlohmann::ordered_json told = method_explanation(
+      options.scene.path, *scene, method, frame, parse_pixel(options.x, "X", frame.width),
+      parse_pixel(options.y, "Y", frame.height), options.all || options.json);
+  fmt::print("{}", options.json ? told.dump(1) + "\n" : method_explanation_text(told));
+  return 0;
+}
+
 int run_explain(const ExplainOptions& options) {
+  if (!options.method.empty()) return explain_by_method(options);
   const Cull cull = parse_cull(options.cull);
   const DepthFunction depth_function = parse_depth_test(options.depth_test);
   Config config = options.config.load();
@@ -89,10 +106,18 @@ Action add_explain_command(CLI::App& program) {
   command->add_option("--depth-test", o->depth_test, "less or less_equal")->capture_default_str();
   command->add_flag("--all", o->all, "Details of every triangle, not only of those near");
   command->add_flag("--json", o->json, "Everything, as JSON");
+  CLI::Option* method =
+      command->add_option("--method", o->method,
+                          "By a method of the gallery, beside the exact rule (halfspace methods)");
+  for (const char* other : {"--sample", "--samples", "--cull", "--depth-test"}) {
+    method->excludes(command->get_option(other));  // it samples centres, and has its own way
+  }
   command->footer(
       "Edge values are exact integers in units of 2^-(s+f) px^2 (s subpixel bits, f position "
       "bits).\n"
-      "Example: halfspace explain tests/scenes/teapot.obj 320 240");
+      "With --method they are px^2, and what the method decided stands beside the exact rule.\n"
+      "Examples: halfspace explain tests/scenes/teapot.obj 320 240\n"
+      "          halfspace explain tests/scenes/teapot.obj 320 240 --method walk_closed");
   return [o] { return run_explain(*o); };
 }
 

@@ -30,4 +30,11 @@ Image scene_picture(const SceneOptions&, const std::string&) { absent(); }
 
 StabilityPicture stability_picture(const std::string&, const std::string&) { absent(); }
 
+nlohmann::ordered_json method_explanation(const std::string&, const Scene&, const methods::Method&,
+                                          const FrameState&, int, int, bool) {
+  absent();
+}
+
+std::string method_explanation_text(const nlohmann::ordered_json&) { absent(); }
+
 }  // namespace halfspace

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../framebuffer.hpp"
+#include "../methods/method.hpp"
 #include "scene_options.hpp"
 
 namespace halfspace {
@@ -41,6 +42,16 @@ struct StabilityPicture {
   std::string text;
 };
 StabilityPicture stability_picture(const std::string& method, const std::string& suite);
+
+// What a method made of every triangle of a scene's first frame at pixel (x, y), which is in the
+// frame: docs/02_use/explain.md. all: also of the triangles that have nothing to do with it. Throws
+// Error(kMethodGaveUp).
+nlohmann::ordered_json method_explanation(const std::string& scene_name, const Scene& scene,
+                                          const methods::Method& method, const FrameState& frame,
+                                          int x, int y, bool all);
+
+// method_explanation() for people; ends in a newline.
+std::string method_explanation_text(const nlohmann::ordered_json& data);
 
 // The scene under one method, magnified where most is wrong. Throws as opening the scene does.
 Image scene_picture(const SceneOptions& scene, const std::string& method);

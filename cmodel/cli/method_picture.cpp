@@ -24,19 +24,10 @@ std::vector<std::uint8_t> saturated(const std::vector<std::uint32_t>& hits) {
   return out;
 }
 
-Rgb rgb(const methods::Color& color) {
-  Rgb out{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    if (std::isnan(color[c])) return kNotANumber;
-    out[c] = static_cast<std::uint8_t>(std::lround(std::clamp(color[c], 0.0, 255.0)));
-  }
-  return out;
-}
-
 Image picture_of_colors(const methods::Canvas& canvas) {
   Image image{canvas.width(), canvas.height(), std::vector<Rgb>(canvas.hits().size(), kBackground)};
   for (std::size_t i = 0; i < image.pixel.size(); ++i) {
-    if (canvas.hits()[i] != 0) image.pixel[i] = rgb(canvas.color()[i]);
+    if (canvas.hits()[i] != 0) image.pixel[i] = picture_color(canvas.color()[i]);
   }
   return image;
 }
@@ -55,8 +46,9 @@ methods::Color color_of(const std::array<double, kMaxAttributes>& attribute) {
   return {attribute[0], attribute[1], attribute[2]};
 }
 
-// A frame before snapping, in every form that a method may take.
-methods::Drawing drawing_of_scene(const Scene& scene, std::size_t index, const FrameState& frame) {
+}  // namespace
+
+methods::Drawing scene_drawing(const Scene& scene, std::size_t index, const FrameState& frame) {
   if (scene.camera(index) == nullptr) {
     std::vector<methods::Facet> facets;
     scene.real(index, [&](const RealTriangle& triangle) {
@@ -86,7 +78,23 @@ methods::Drawing drawing_of_scene(const Scene& scene, std::size_t index, const F
   return out;
 }
 
-}  // namespace
+Rgb picture_color(const methods::Color& color) {
+  Rgb out{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (std::isnan(color[c])) return kNotANumber;
+    out[c] = static_cast<std::uint8_t>(std::lround(std::clamp(color[c], 0.0, 255.0)));
+  }
+  return out;
+}
+
+methods::Canvas method_canvas(const FrameState& frame) {
+  return methods::Canvas(frame.width, frame.height, 0, 0, kBudget);
+}
+
+void require_finished(const methods::Method& method, const methods::Canvas& canvas) {
+  if (!canvas.exhausted()) return;
+  throw Error(ErrorCode::kMethodGaveUp, "--method", fmt::format("{} did not finish", method.name));
+}
 
 const methods::Method& find_method(const std::string& name, const std::string& shade) {
   const methods::Method* method = methods::find(name);
@@ -108,18 +116,15 @@ const methods::Method& find_method(const std::string& name, const std::string& s
 
 Image method_picture(const Scene& scene, std::size_t index, const FrameState& frame,
                      const methods::Method& method, const std::string& shade, RunStats& stats) {
-  const methods::Drawing drawing = drawing_of_scene(scene, index, frame);
-  methods::Canvas canvas(frame.width, frame.height, 0, 0, kBudget);
+  const methods::Drawing drawing = scene_drawing(scene, index, frame);
+  methods::Canvas canvas = method_canvas(frame);
   const bool attributes = method.attributes && shade != "coverage";
   if (attributes) canvas.keep_attributes();
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   methods::draw(method, drawing, canvas);
   stats.simulate_seconds += std::chrono::duration<double>(Clock::now() - start).count();
-  if (canvas.exhausted()) {
-    throw Error(ErrorCode::kMethodGaveUp, "--method",
-                fmt::format("{} did not finish", method.name));
-  }
+  require_finished(method, canvas);
   const std::vector<std::uint8_t> hits = saturated(canvas.hits());
   stats.crc = crc32_of(hits, stats.crc);
   stats.geometry.triangles_in += methods::primitives(method, drawing);

@@ -19,6 +19,7 @@ namespace halfspace::methods {
 template <class Real>
 struct Floating {
   using Number = Real;
+  double px2(Number e) const { return static_cast<double>(e); }  // a product of two, in px^2
   Number coordinate(double px) const { return static_cast<Real>(px); }
   Number centre(int pixel) const { return static_cast<Real>(pixel) + Real(0.5); }
   bool holds(const Facet&) const { return true; }
@@ -30,6 +31,7 @@ struct Floating {
 struct Fixed {
   using Number = std::int64_t;
   int bits = 8;
+  double px2(Number e) const { return std::ldexp(static_cast<double>(e), -2 * (bits + 1)); }
   Number coordinate(double px) const {
     return 2 * static_cast<Number>(std::nearbyint(std::ldexp(px, bits)));
   }

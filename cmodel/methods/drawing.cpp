@@ -37,6 +37,7 @@ Drawing drawing_of(std::span<const Facet> facets, int width, int height) {
   camera.far = 1;
   out.facets.assign(facets.begin(), facets.end());
   for (const Facet& f : facets) {
+    out.origin.push_back(static_cast<std::uint32_t>(out.origin.size()));
     add_shapes(f, out);
     ClipFacet clip;
     WorldFacet world;
@@ -55,8 +56,9 @@ Drawing drawing_of(std::vector<ClipFacet> clip, int width, int height) {
   out.view.width = width;
   out.view.height = height;
   const std::vector<Plane4> planes = guard_band(out.view, kGuardBand);
-  for (const ClipFacet& facet : clip) {
-    for (const ClipFacet& piece : clip_facet(facet, planes)) {
+  for (std::size_t i = 0; i < clip.size(); ++i) {
+    for (const ClipFacet& piece : clip_facet(clip[i], planes)) {
+      out.origin.push_back(static_cast<std::uint32_t>(i));
       out.facets.push_back({window_vertex(piece[0], out.view), window_vertex(piece[1], out.view),
                             window_vertex(piece[2], out.view)});
       add_shapes(out.facets.back(), out);

@@ -47,6 +47,7 @@ void add(std::vector<Method>& list, const Variant& v, const char* precision) {
   m.draw = DrawFacet([v](const Facet& facet, Canvas& canvas) {
     draw_edge_function(facet, canvas, Floating<Real>{}, v.constant, v.rule);
   });
+  m.edges = edges_at(Floating<Real>{}, v.constant, v.rule);
   if (m.exact) m.fails = "real-valued vertices: products round, and a tie may fall either way";
   list.push_back(std::move(m));
 }
@@ -69,6 +70,7 @@ void add_fixed(std::vector<Method>& list, int bits) {
   m.draw = DrawFacet([bits](const Facet& facet, Canvas& canvas) {
     draw_edge_function(facet, canvas, Fixed{bits}, Constant::kRelative, Rule::kTopLeft);
   });
+  m.edges = edges_at(Fixed{bits}, Constant::kRelative, Rule::kTopLeft);
   list.push_back(std::move(m));
 }
 
@@ -78,6 +80,12 @@ struct Wrapping {
   std::int32_t value() const { return static_cast<std::int32_t>(bits); }
 };
 Wrapping wrap(std::int64_t v) { return {static_cast<std::uint32_t>(v)}; }
+
+// The edge's value in units of 1/256 px, less the bias. Doubled units would waste two bits.
+Wrapping wrapped_value(const EdgeLine<std::int64_t>& e, int x, int y, int bias) {
+  const Fixed fixed{8};
+  return wrap(e.at(fixed.centre(x), fixed.centre(y)) / 4 - bias);
+}
 
 void draw_wrapping(const Facet& facet, Canvas& canvas) {
   const Fixed fixed{8};
@@ -91,13 +99,28 @@ void draw_wrapping(const Facet& facet, Canvas& canvas) {
       bool covered = true;
       for (std::size_t i = 0; i < 3; ++i) {
         const EdgeLine<std::int64_t> e = edge_line(c, i, Constant::kRelative);
-        // Coordinates back to 1/256 px: doubled units would waste two bits.
-        const std::int64_t exact = e.at(fixed.centre(x), fixed.centre(y)) / 4;
-        covered = covered && wrap(exact - (e.top_left() ? 0 : 1)).value() >= 0;
+        covered = covered && wrapped_value(e, x, y, e.top_left() ? 0 : 1).value() >= 0;
       }
       if (covered) canvas.hit(x, y);
     }
   }
+}
+
+OwnEdges wrapping_edges(const Facet& facet, int x, int y) {
+  const Fixed fixed{8};
+  if (!fixed.holds(facet)) return std::nullopt;
+  const Corners<std::int64_t> c = oriented(facet, fixed);
+  if (c.area <= 0) return std::nullopt;
+  std::array<OwnEdge, 3> out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const EdgeLine<std::int64_t> e = edge_line(c, corner_edge(c, i), Constant::kRelative);
+    const auto px2 = [&](int bias) {
+      return std::ldexp(wrapped_value(e, x, y, bias).value(), -16);
+    };
+    const double biased = px2(e.top_left() ? 0 : 1);
+    out[i] = {px2(0), biased, biased >= 0};
+  }
+  return out;
 }
 
 }  // namespace
@@ -115,6 +138,7 @@ void add_edge_function(std::vector<Method>& list) {
   narrow.subpixel_bits = 8;
   narrow.exact = false;
   narrow.draw = DrawFacet(draw_wrapping);
+  narrow.edges = wrapping_edges;
   list.push_back(std::move(narrow));
 }
 

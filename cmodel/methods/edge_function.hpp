@@ -4,6 +4,8 @@
 // (y down, clockwise as seen), and the loop over the bounding box that tests three of them.
 #pragma once
 
+#include <type_traits>
+
 #include "arithmetic.hpp"
 
 namespace halfspace::methods {
@@ -70,6 +72,42 @@ void draw_edge_function(const Facet& facet, Canvas& canvas, const Arithmetic& ar
       }
     }
   }
+}
+
+// Edge i of the facet among the edges of its oriented corners: those of a flipped one run the other
+// way round.
+template <class Number>
+std::size_t corner_edge(const Corners<Number>& corners, std::size_t i) {
+  return corners.vertex[1] == 1 ? i : 2 - i;
+}
+
+// What draw_edge_function() finds at one pixel.
+template <class Arithmetic>
+OwnEdges own_edges(const Facet& facet, int x, int y, const Arithmetic& arithmetic,
+                   Constant constant, Rule rule) {
+  using Number = typename Arithmetic::Number;
+  if (!arithmetic.holds(facet)) return std::nullopt;
+  const Corners<Number> corners = oriented(facet, arithmetic);
+  if (!(corners.area > 0)) return std::nullopt;
+  std::array<OwnEdge, 3> out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const EdgeLine<Number> edge = edge_line(corners, corner_edge(corners, i), constant);
+    const Number e = edge.at(arithmetic.centre(x), arithmetic.centre(y));
+    out[i] = {arithmetic.px2(e), std::nullopt, inside(edge, e, rule)};
+    if constexpr (std::is_integral_v<Number>) {
+      const bool ties = rule == Rule::kDrawTies || (rule == Rule::kTopLeft && edge.top_left());
+      out[i].biased = arithmetic.px2(e - (ties ? 0 : 1));
+    }
+  }
+  return out;
+}
+
+// As Method::edges.
+template <class Arithmetic>
+EdgesAt edges_at(const Arithmetic& arithmetic, Constant constant, Rule rule) {
+  return [=](const Facet& facet, int x, int y) {
+    return own_edges(facet, x, y, arithmetic, constant, rule);
+  };
 }
 
 }  // namespace halfspace::methods

@@ -42,6 +42,7 @@ void add_fill_rules(std::vector<Method>& list) {
     m.draw = DrawFacet([rule = v.rule](const Facet& facet, Canvas& canvas) {
       draw_edge_function(facet, canvas, Fixed{8}, Constant::kRelative, rule);
     });
+    m.edges = edges_at(Fixed{8}, Constant::kRelative, v.rule);
     list.push_back(std::move(m));
   }
 }

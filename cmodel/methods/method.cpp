@@ -34,10 +34,12 @@ std::vector<Method> collect() {
 
 // One primitive after another, while the budget lasts.
 template <class Primitive, class One>
-void each(const std::vector<Primitive>& primitives, Canvas& canvas, One&& one) {
-  for (const Primitive& primitive : primitives) {
+void each(const std::vector<Primitive>& primitives, Canvas& canvas, const AfterPrimitive& after,
+          One&& one) {
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
     if (canvas.exhausted()) return;
-    one(primitive);
+    one(primitives[i]);
+    if (after) after(i);
   }
 }
 
@@ -68,19 +70,29 @@ const char* rule_name(Rule rule) {
 }
 
 void draw(const Method& method, const Drawing& drawing, Canvas& canvas) {
+  draw(method, drawing, canvas, {});
+}
+
+void draw(const Method& method, const Drawing& drawing, Canvas& canvas,
+          const AfterPrimitive& after) {
   const auto* facet = std::get_if<DrawFacet>(&method.draw);
   const auto* polygon = std::get_if<DrawPolygon>(&method.draw);
   const auto* segment = std::get_if<DrawSegment>(&method.draw);
   const auto* clip = std::get_if<DrawClip>(&method.draw);
   const auto* world = std::get_if<DrawWorld>(&method.draw);
-  if (facet) each(drawing.facets, canvas, [&](const Facet& f) { (*facet)(f, canvas); });
-  if (polygon) each(drawing.polygons, canvas, [&](const Polygon& p) { (*polygon)(p, canvas); });
-  if (segment) each(drawing.segments, canvas, [&](const Segment& s) { (*segment)(s, canvas); });
+  const View& view = drawing.view;
+  if (facet) each(drawing.facets, canvas, after, [&](const Facet& f) { (*facet)(f, canvas); });
+  if (polygon) {
+    each(drawing.polygons, canvas, after, [&](const Polygon& p) { (*polygon)(p, canvas); });
+  }
+  if (segment) {
+    each(drawing.segments, canvas, after, [&](const Segment& s) { (*segment)(s, canvas); });
+  }
   if (clip) {
-    each(drawing.clip, canvas, [&](const ClipFacet& f) { (*clip)(f, drawing.view, canvas); });
+    each(drawing.clip, canvas, after, [&](const ClipFacet& f) { (*clip)(f, view, canvas); });
   }
   if (world) {
-    each(drawing.world, canvas, [&](const WorldFacet& f) { (*world)(f, drawing.view, canvas); });
+    each(drawing.world, canvas, after, [&](const WorldFacet& f) { (*world)(f, view, canvas); });
   }
 }
 
@@ -93,6 +105,17 @@ std::size_t primitives(const Method& method, const Drawing& drawing) {
     case InputKind::kWorld: return drawing.world.size();
   }
   return 0;
+}
+
+std::size_t triangle_of(InputKind kind, const Drawing& drawing, std::size_t i) {
+  switch (kind) {
+    case InputKind::kTriangles:
+    case InputKind::kPolygons: return drawing.origin[i];
+    case InputKind::kLines: return drawing.origin[i / 3];
+    case InputKind::kClipSpace:
+    case InputKind::kWorld: break;
+  }
+  return i;
 }
 
 }  // namespace halfspace::methods

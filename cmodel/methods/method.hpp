@@ -10,6 +10,7 @@
 #include <functional>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -79,6 +80,17 @@ using DrawClip = std::function<void(const ClipFacet&, const View&, Canvas&)>;
 using DrawWorld = std::function<void(const WorldFacet&, const View&, Canvas&)>;
 using Draw = std::variant<DrawFacet, DrawPolygon, DrawSegment, DrawClip, DrawWorld>;
 
+// One edge of a triangle at a pixel's centre, as a method computes it, errors and all; px^2.
+struct OwnEdge {
+  double raw = 0;                // inside positive
+  std::optional<double> biased;  // with the tie rule in it, where the method has a bias
+  bool passes = false;           // the method takes the centre for inside
+};
+// Edges from vertex i to vertex (i + 1) mod 3 of the facet as given; nothing for a facet that the
+// method does not draw. The centre of pixel (x, y) is hit exactly when all three pass.
+using OwnEdges = std::optional<std::array<OwnEdge, 3>>;
+using EdgesAt = std::function<OwnEdges(const Facet&, int x, int y)>;
+
 // What a method takes, in the order of Draw.
 enum class InputKind { kTriangles, kPolygons, kLines, kClipSpace, kWorld };
 
@@ -109,6 +121,7 @@ struct Method {
                             // +-2^14 px; polygons without self-intersection, lines: nearest pixel
   bool attributes = false;  // calls Canvas::fragment()
   Draw draw;
+  EdgesAt edges;  // null: it has no edge values, or they depend on more than the pixel
 
   InputKind input() const { return static_cast<InputKind>(draw.index()); }
 };
@@ -130,6 +143,9 @@ struct Drawing {
   std::vector<Segment> segments;
   std::vector<ClipFacet> clip;
   std::vector<WorldFacet> world;
+  // Which of the triangles given each facet and polygon is, or is a piece of; never falls. Made by
+  // drawing_of().
+  std::vector<std::uint32_t> origin;
 };
 
 // Window-space triangles in all forms: each triangle is also a polygon of one ring and three
@@ -143,8 +159,15 @@ Drawing drawing_of(std::vector<ClipFacet> clip, int width, int height);
 
 // Draws all primitives of the method's kind in order, or until the canvas is exhausted.
 void draw(const Method& method, const Drawing& drawing, Canvas& canvas);
+// The same; `after` is called after each primitive with its index.
+using AfterPrimitive = std::function<void(std::size_t)>;
+void draw(const Method& method, const Drawing& drawing, Canvas& canvas,
+          const AfterPrimitive& after);
 
 // How many of them there are.
 std::size_t primitives(const Method& method, const Drawing& drawing);
+
+// Which of the triangles that the drawing was made of primitive i is, or is a part of.
+std::size_t triangle_of(InputKind kind, const Drawing& drawing, std::size_t i);
 
 }  // namespace halfspace::methods

@@ -121,6 +121,8 @@ void add_speed_hacks(std::vector<Method>& list) {
     m.precision = "fixed, 8 subpixel bits";
     m.subpixel_bits = 8;
     m.draw = DrawFacet([hacks = v.hacks](const Facet& f, Canvas& c) { draw(f, c, hacks); });
+    // Sums of integers are the products. The OR of three takes an edge value of 0 for inside.
+    m.edges = edges_at(Fixed{8}, Constant::kRelative, m.rule);
     list.push_back(std::move(m));
   }
   Method m = list.back();
@@ -131,6 +133,7 @@ void add_speed_hacks(std::vector<Method>& list) {
   m.subpixel_bits = -1;
   m.exact = false;
   m.draw = DrawFacet(draw_float);
+  m.edges = nullptr;  // a value depends on the pixel that its row began at
   list.push_back(std::move(m));
 }
 
