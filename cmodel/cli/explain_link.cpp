@@ -94,7 +94,7 @@ Rgb shown_color(const methods::Method& method, const MethodPixel& pixel) {
 void append_vertices(std::string& out, const Json& vertices) {
   out += "    vertices px";
   for (const Json& v : vertices) {
-    out += fmt::format("  ({}, {})", v[0].get<double>(), v[1].get<double>());
+    out += fmt::format("  ({:.9g}, {:.9g})", v[0].get<double>(), v[1].get<double>());
   }
   out += "\n";
 }
