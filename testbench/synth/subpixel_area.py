@@ -16,9 +16,7 @@ sys.dont_write_bytecode = True
 import area
 from rtl_sources import ROOT, config
 
-BITS = [0, 4, 6, 8, 12]
-
-
+BITS = list(range(13))
 GRID_LOG2 = [2, 3]
 
 
