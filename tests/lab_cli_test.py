@@ -5,12 +5,14 @@ import json
 import os
 import random
 import re
+import signal
 import subprocess
 import sys
+import time
 import unittest
 
 sys.dont_write_bytecode = True
-from program import PUBLIC, SCENES, Program, png_pixels
+from program import PROGRAM, PUBLIC, SCENES, Program, png_pixels
 
 
 class Explain(Program):
@@ -149,11 +151,9 @@ class Chart(Program):
             self.assertEqual(json.loads(data.read_text())["chart"], name)
 
     def test_a_chart_is_drawn_where_matplotlib_is(self):
-        there = subprocess.run(["/usr/bin/python3", "-c", "import matplotlib"],
-                               capture_output=True).returncode == 0
         svg = self.out / "a.svg"
         arguments = ("chart", "accumulator", "--scene", *self.SCENE, "--out", svg)
-        if not there:
+        if not CAN_DRAW:
             return self.refuse("HS083", *arguments)
         self.succeed(*arguments)
         self.assertIn("<svg", svg.read_text())
@@ -171,7 +171,53 @@ class Chart(Program):
                     environment={**os.environ, "HALFSPACE_CHARTS": str(self.out / "no.py")})
 
 
+CAN_DRAW = subprocess.run(["/usr/bin/python3", "-c", "import matplotlib"],
+                          capture_output=True).returncode == 0
+
+
 class Report(Program):
+    def interrupted(self, ready, *args, group=True, environment=None):
+        """What the program said, interrupted as soon as ready() holds."""
+        run = subprocess.Popen([PROGRAM, *map(str, args)], stderr=subprocess.PIPE, text=True,
+                               start_new_session=True, env=environment)
+        while run.poll() is None and not ready():
+            time.sleep(0.01)
+        # Ctrl-C reaches every process of the group, kill only the one.
+        (os.killpg if group else os.kill)(run.pid, signal.SIGINT)
+        said = run.communicate(timeout=60)[1]
+        self.assertEqual(run.returncode, 2, said)
+        self.assertEqual(said, "halfspace: error[HS050]: interrupted; nothing was written\n")
+
+    def test_interrupted_leaves_nothing(self):
+        folder = self.out / "new" / "report"
+        arguments = ("report", SCENES / "teapot.obj", "--size", "160x120", "--out", folder)
+        for name in ("hits.png", "ladder.svg", "interpolation.svg")[:3 if CAN_DRAW else 1]:
+            self.interrupted(lambda: any(self.out.glob(f"new/*/{name}")), *arguments)
+            self.assertEqual(list(self.out.iterdir()), [], f"at {name}")
+        # A report that is there stays as it is.
+        folder.mkdir(parents=True)
+        (folder / "index.html").write_text("the last one")
+        self.interrupted(lambda: any(self.out.glob("new/*partial*/hits.png")), *arguments)
+        self.assertEqual([p.name for p in folder.parent.iterdir()], ["report"])
+        self.assertEqual([p.read_text() for p in folder.iterdir()], ["the last one"])
+
+    @unittest.skipUnless(CAN_DRAW, "needs matplotlib")
+    def test_interrupted_chart_is_not_drawn_later(self):
+        script = self.out / "charts.py"
+        script.write_text("import pathlib, sys, time\n"
+                          "pathlib.Path(sys.argv[-1]).write_text('half')\n"
+                          "time.sleep(1)\n"
+                          "pathlib.Path(sys.argv[-1]).write_text('whole')\n")
+        environment = {**os.environ, "HALFSPACE_CHARTS": str(script)}
+        folder = self.out / "charts"
+        folder.mkdir()
+        for group in (True, False):
+            self.interrupted(lambda: any(folder.glob("*.svg")), "chart", "accumulator", "--scene",
+                             SCENES / "cube.gltf", "--size", "96x72", "--out", folder / "a.svg",
+                             group=group, environment=environment)
+            time.sleep(1.2)
+            self.assertEqual(list(folder.iterdir()), [])
+
     def test_the_page_needs_only_the_files_beside_it(self):
         folder = self.out / "report"
         self.succeed("report", SCENES / "cube.gltf", "--size", "96x72", "--out", folder)

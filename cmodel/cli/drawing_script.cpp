@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -35,11 +36,19 @@ int run(std::vector<std::string> words) {
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
+  // In a group of its own, so that Ctrl-C reaches it through this process alone.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   pid_t child = 0;
-  if (posix_spawn(&child, argv[0], nullptr, nullptr, argv.data(), environ) != 0) return -1;
+  const int failed = posix_spawn(&child, argv[0], nullptr, &attributes, argv.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  if (failed != 0) return -1;
+  kill_on_interrupt(child);
   int status = 0;
-  if (waitpid(child, &status, 0) != child || !WIFEXITED(status)) return -1;
-  return WEXITSTATUS(status);
+  const bool ended = waitpid(child, &status, 0) == child;
+  kill_on_interrupt(0);
+  return ended && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 }  // namespace
@@ -61,14 +70,22 @@ void require_drawing_script() {
 
 void draw_chart(const std::string& name, const nlohmann::ordered_json& data,
                 const std::string& out) {
-  const std::string json = out + ".data.json";
+  // The script knows the format by the ending.
+  const fs::path whole(out);
+  fs::path picture = whole;
+  picture.replace_filename(fmt::format("{}.partial-{}{}", whole.stem().string(), ::getpid(),
+                                       whole.extension().string()));
+  const std::string json = picture.string() + ".json";
   OutputFile file(json);
   file.write(data.dump() + "\n");
   file.commit();
-  remove_on_interrupt(json);
-  const int status = run({kPython, script().string(), "draw", name, json, out});
+  const RemovedOnInterrupt data_removed(json);
+  const RemovedOnInterrupt picture_removed(picture.string());
+  const int status = run({kPython, script().string(), "draw", name, json, picture.string()});
   fs::remove(json);
-  remove_on_interrupt({});
+  std::error_code error;
+  if (status == 0) fs::rename(picture, whole, error);
+  if (status != 0 || error) fs::remove(picture, error);
   if (status != 0) {
     throw Error(ErrorCode::kDrawing, out,
                 status == 3 ? "there is nothing to draw: the scene shows no pixels"

@@ -10,6 +10,7 @@
 
 #include "../io/error.hpp"
 #include "../io/output_file.hpp"
+#include "../io/output_folder.hpp"
 #include "../io/png_file.hpp"
 #include "command.hpp"
 #include "drawing_script.hpp"
@@ -30,17 +31,8 @@ struct ReportOptions {
   std::string out;
 };
 
-void make_folder(const std::string& path) {
-  std::error_code error;
-  fs::create_directories(path, error);
-  if (error || !fs::is_directory(path)) {
-    throw Error(ErrorCode::kFileWrite, path, "cannot create the folder");
-  }
-  check_writable((fs::path(path) / "index.html").string());
-}
-
 // The three pictures, and the statistics of level cycle.
-void draw_pictures(const Scene& scene, const fs::path& folder, ReportData& data) {
+void draw_pictures(const Scene& scene, OutputFolder& folder, ReportData& data) {
   data.stats.command = "report";
   data.stats.level = "cycle";
   Rasterizer rasterizer(data.frame, data.config, DepthFunction::kLess, kBackground);
@@ -60,19 +52,19 @@ void draw_pictures(const Scene& scene, const fs::path& folder, ReportData& data)
         [](const CoverageTile&) {});
   });
   run.finish();
-  write_png((folder / "picture.png").string(), rasterizer.framebuffer().resolve());
-  write_png((folder / "hits.png").string(), picture_of_hits(rasterizer.hit_count()));
-  write_png((folder / "tiles.png").string(), tiles.image());
+  write_png(folder.file("picture.png"), rasterizer.framebuffer().resolve());
+  write_png(folder.file("hits.png"), picture_of_hits(rasterizer.hit_count()));
+  write_png(folder.file("tiles.png"), tiles.image());
 }
 
 // Measures one chart; draws it beside the page where drawing is possible.
-nlohmann::ordered_json measure(const std::string& name, const ReportOptions& options, bool draw,
-                               ReportData& data) {
+nlohmann::ordered_json measure(const std::string& name, const SceneOptions& scene, bool draw,
+                               OutputFolder& folder, ReportData& data) {
   for (const ChartKind& kind : chart_kinds()) {
     if (kind.name != name) continue;
-    nlohmann::ordered_json chart = chart_data(kind, options.scene);
+    nlohmann::ordered_json chart = chart_data(kind, scene);
     if (draw) {
-      draw_chart(name, chart, (fs::path(options.out) / (name + ".svg")).string());
+      draw_chart(name, chart, folder.file(name + ".svg"));
       data.drawn.push_back(name);
     }
     return chart;
@@ -91,14 +83,13 @@ bool can_draw() {
 }
 
 // The method with the most wrong pixels, where it is wrong.
-void draw_worst(const ReportOptions& options, const ReportData& data) {
+void draw_worst(const SceneOptions& scene, OutputFolder& folder, const ReportData& data) {
   const auto& cells = data.stability["cells"];
   const auto worst = std::max_element(cells.begin(), cells.end(), [](const auto& a, const auto& b) {
     return a["wrong_ppm"].template get<double>() < b["wrong_ppm"].template get<double>();
   });
   if (worst == cells.end() || (*worst)["wrong_ppm"] == 0.0) return;
-  write_png((fs::path(options.out) / "worst.png").string(),
-            scene_picture(options.scene, (*worst)["method"].get<std::string>()));
+  write_png(folder.file("worst.png"), scene_picture(scene, (*worst)["method"].get<std::string>()));
 }
 
 int run_report(const ReportOptions& options) {
@@ -109,7 +100,7 @@ int run_report(const ReportOptions& options) {
   if (in_view == 0) {
     throw Error(ErrorCode::kScene, options.scene.path, "nothing of it is in the frame");
   }
-  make_folder(options.out);
+  OutputFolder folder(options.out);
   ReportData data;
   data.scene = fs::path(options.scene.path).filename().string();
   data.command = fmt::format("halfspace report {} --out {}", options.scene.path, options.out);
@@ -119,11 +110,11 @@ int run_report(const ReportOptions& options) {
   data.config = config;
   data.frame = scene->frame(0, config);
   const bool draw = can_draw();
-  draw_pictures(*scene, options.out, data);
+  draw_pictures(*scene, folder, data);
   Progress progress("measuring charts", 6);
   const auto chart = [&](const char* name) {
     progress.advance(1);
-    return measure(name, options, draw, data);
+    return measure(name, options.scene, draw, folder, data);
   };
   data.ladder = chart("ladder");
   data.subpixel = chart("subpixel");
@@ -131,10 +122,11 @@ int run_report(const ReportOptions& options) {
   data.interpolation = chart("interpolation");
   data.accumulator = chart("accumulator");
   data.stability = chart("stability");
-  draw_worst(options, data);
-  OutputFile page((fs::path(options.out) / "index.html").string());
+  draw_worst(options.scene, folder, data);
+  OutputFile page(folder.file("index.html"));
   page.write(report_html(data));
   page.commit();
+  folder.commit();
   fmt::print("{}\n", (fs::path(options.out) / "index.html").string());
   return 0;
 }
@@ -146,7 +138,7 @@ Action add_report_command(CLI::App& program) {
       program.add_subcommand("report", "A page about a scene: what accuracy costs, what suffices");
   auto o = std::make_shared<ReportOptions>();
   o->scene.add_to(*command);
-  command->add_option("--out", o->out, "Folder to write; index.html is written last")
+  command->add_option("--out", o->out, "Folder to write, whole or not at all")
       ->required()
       ->type_name("DIR");
   command->footer(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interrupt.hpp"
 
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -11,25 +12,37 @@
 namespace halfspace {
 namespace {
 
-// Fixed storage, because a handler may not allocate. A name that begins with 0 is none.
-using Name = std::array<char, 4096>;
-std::array<Name, 64> unfinished{};
+// Fixed storage, because a handler may not allocate.
+enum class Slot { kFree, kTaken, kReady };
+struct Unfinished {
+  std::atomic<Slot> slot{Slot::kFree};
+  std::array<char, 4096> path{};
+};
+static_assert(std::atomic<Slot>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
+std::array<Unfinished, 64> unfinished;
+std::atomic<pid_t> child_to_kill{0};
 
-void remove_unfinished() {
-  for (const Name& name : unfinished) {
-    if (name[0] != 0) ::unlink(name.data());
+void clean_up() {
+  if (const pid_t child = child_to_kill; child > 0) {
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+  }
+  for (std::size_t i = unfinished.size(); i-- > 0;) {
+    if (unfinished[i].slot != Slot::kReady) continue;
+    const char* path = unfinished[i].path.data();
+    if (::unlink(path) != 0) ::rmdir(path);
   }
 }
 
 // A failed check has said its line already.
 extern "C" void on_abort(int) {
-  remove_unfinished();
+  clean_up();
   ::_exit(2);
 }
 
 extern "C" void on_interrupt(int) {
   static constexpr char kLine[] = "\nhalfspace: error[HS050]: interrupted; nothing was written\n";
-  remove_unfinished();
+  clean_up();
   [[maybe_unused]] const ssize_t written =
       ::write(STDERR_FILENO, kLine + (::isatty(2) ? 0 : 1), sizeof kLine - (::isatty(2) ? 1u : 2u));
   ::_exit(2);
@@ -39,7 +52,7 @@ extern "C" void on_interrupt(int) {
 
 void handle_interrupts() {
   struct sigaction action {};
-  ::sigemptyset(&action.sa_mask);
+  ::sigfillset(&action.sa_mask);
   action.sa_handler = on_interrupt;
   ::sigaction(SIGINT, &action, nullptr);
   ::sigaction(SIGTERM, &action, nullptr);
@@ -47,22 +60,29 @@ void handle_interrupts() {
   ::sigaction(SIGABRT, &action, nullptr);
 }
 
-// The first byte is written last, or first when cleared: an interrupt sees a whole name or none.
-void remove_on_interrupt(const std::string& path) {
-  if (path.empty() || path.size() >= Name().size()) return;
-  for (Name& name : unfinished) {
-    if (name[0] != 0) continue;
-    std::memcpy(name.data() + 1, path.c_str() + 1, path.size());
-    std::atomic_signal_fence(std::memory_order_release);
-    name[0] = path[0];
+void leave_interrupts() {
+  for (const int number : {SIGINT, SIGTERM, SIGABRT}) std::signal(number, SIG_DFL);
+}
+
+RemovedOnInterrupt::RemovedOnInterrupt(const std::string& path) : slot_(unfinished.size()) {
+  if (path.empty() || path.size() >= unfinished[0].path.size()) return;
+  // After the newest, so that a folder's files go before it.
+  std::size_t next = unfinished.size();
+  while (next > 0 && unfinished[next - 1].slot == Slot::kFree) --next;
+  for (; next < unfinished.size(); ++next) {
+    Slot expected = Slot::kFree;
+    if (!unfinished[next].slot.compare_exchange_strong(expected, Slot::kTaken)) continue;
+    std::memcpy(unfinished[next].path.data(), path.c_str(), path.size() + 1);
+    unfinished[next].slot = Slot::kReady;
+    slot_ = next;
     return;
   }
 }
 
-void keep_on_interrupt(const std::string& path) {
-  for (Name& name : unfinished) {
-    if (path == name.data()) name[0] = 0;
-  }
+RemovedOnInterrupt::~RemovedOnInterrupt() {
+  if (slot_ < unfinished.size()) unfinished[slot_].slot = Slot::kFree;
 }
+
+void kill_on_interrupt(pid_t child) { child_to_kill = child; }
 
 }  // namespace halfspace

@@ -1,18 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <sys/types.h>
+
+#include <cstddef>
 #include <string>
 
 namespace halfspace {
 
-// Installs a handler for SIGINT and SIGTERM that prints one line, removes the unfinished files
-// named by remove_on_interrupt() and ends the process with status 2; one for SIGABRT, which a
-// failed check raises after its own line, does the same without a line. Called once, by main().
+// Installs a handler for SIGINT and SIGTERM that prints one line, ends the process of
+// kill_on_interrupt(), removes what RemovedOnInterrupt names and ends this process with status 2;
+// one for SIGABRT, which a failed check raises after its own line, does the same without a line.
+// Called once, by main().
 void handle_interrupts();
 
-// Names a file to remove when interrupted, until keep_on_interrupt() names it again. The first 64
-// of at most 4095 bytes are; a further one keeps its temporary name. One thread calls these.
-void remove_on_interrupt(const std::string& path);
-void keep_on_interrupt(const std::string& path);
+// The default again, for a child process: what it leaves is its parent's to remove.
+void leave_interrupts();
+
+// A file, or a folder that is empty by then, to be removed when interrupted while this object
+// lives; the newest goes first. Up to 64 at a time, more are not removed. Any thread.
+class RemovedOnInterrupt {
+ public:
+  explicit RemovedOnInterrupt(const std::string& path);
+  ~RemovedOnInterrupt();
+  RemovedOnInterrupt(const RemovedOnInterrupt&) = delete;
+  RemovedOnInterrupt& operator=(const RemovedOnInterrupt&) = delete;
+
+ private:
+  std::size_t slot_;
+};
+
+// A child to kill when interrupted, so that it writes nothing after this process; 0: none.
+void kill_on_interrupt(pid_t child);
 
 }  // namespace halfspace

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "error.hpp"
-#include "interrupt.hpp"
 
 namespace halfspace {
 
@@ -29,15 +28,12 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
   if (file_ == nullptr) {
     throw Error(ErrorCode::kFileWrite, path_, std::string("cannot write: ") + std::strerror(errno));
   }
-  pending_ = temporary_ != path_;
-  if (pending_) remove_on_interrupt(temporary_);
+  if (temporary_ != path_) removed_.emplace(temporary_);
 }
 
 OutputFile::~OutputFile() {
   if (file_ != nullptr) std::fclose(file_);
-  if (!pending_) return;
-  std::remove(temporary_.c_str());
-  keep_on_interrupt(temporary_);
+  if (removed_) std::remove(temporary_.c_str());
 }
 
 void OutputFile::fail(const char* what) {
@@ -57,12 +53,11 @@ void OutputFile::finish() {
 
 void OutputFile::commit() {
   finish();
-  if (!pending_) return;
+  if (!removed_) return;
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) {
     fail("cannot rename the finished file into place");
   }
-  pending_ = false;
-  keep_on_interrupt(temporary_);
+  removed_.reset();
 }
 
 OutputFile& OutputGroup::open(const std::string& path) {

@@ -4,9 +4,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "interrupt.hpp"
 
 namespace halfspace {
 
@@ -34,7 +37,7 @@ class OutputFile {
   std::string path_;
   std::string temporary_;
   std::FILE* file_ = nullptr;
-  bool pending_ = false;  // the temporary file is there
+  std::optional<RemovedOnInterrupt> removed_;  // the temporary file is there
 };
 
 // Files that belong together: all are finished before the first is there, so that a full disk
