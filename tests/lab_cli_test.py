@@ -150,6 +150,17 @@ class Chart(Program):
             self.succeed("chart", name, "--scene", *self.SCENE, "--out", data)
             self.assertEqual(json.loads(data.read_text())["chart"], name)
 
+    def test_triangles_that_the_geometry_stage_drops_are_not_measured(self):
+        close = (SCENES / "teapot.obj", "--size", "100x80", "--eye", "0,1,2", "--target", "0,1,0")
+        stats, data = self.out / "s.json", self.out / "c.json"
+        self.succeed("render", *close, "--out", self.out / "p.png", "--stats", stats)
+        self.succeed("chart", "efficiency", "--scene", *close, "--out", data)
+        drawn = json.loads(stats.read_text())
+        self.assertLess(drawn["triangles_to_setup"], drawn["triangles"] / 2)
+        tile8 = json.loads(data.read_text())["tiles"][1]["total"]
+        self.assertEqual((tile8["triangles"], tile8["tiles_tested"]),
+                         (drawn["triangles_to_setup"], drawn["tiles_visited"]))
+
     def test_a_chart_is_drawn_where_matplotlib_is(self):
         svg = self.out / "a.svg"
         arguments = ("chart", "accumulator", "--scene", *self.SCENE, "--out", svg)
@@ -167,6 +178,9 @@ class Chart(Program):
         self.refuse("HS001", "chart", "subpixel")
         self.refuse("HS010", "chart", "subpixel", "--scene", self.out / "n.obj", "--out", out)
         self.refuse("HS041", "chart", "subpixel", "--scene", PUBLIC, "--out", out, says="--case")
+        far = self.out / "far.tcov"
+        far.write_text("TCOV 1 1\ncase 7 t 8 8 1 0 0 0\n0 0 2048 0 0 99999999\n")
+        self.refuse("HS021", "chart", "subpixel", "--scene", far, "--out", out, says="case 7")
         self.refuse("HS083", "chart", "subpixel", "--out", self.out / "x.svg",
                     environment={**os.environ, "HALFSPACE_CHARTS": str(self.out / "no.py")})
 

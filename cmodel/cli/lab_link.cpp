@@ -1,32 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab_link.hpp"
 
-#include <filesystem>
+#include <fmt/format.h>
+
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "../io/error.hpp"
 #include "lab/charts.hpp"
 #include "lab/lab_picture.hpp"
+#include "lab/real_scene.hpp"
 #include "lab/stability.hpp"
 #include "ladder_chart.hpp"
 
 namespace halfspace {
 namespace {
 
-lab::RealScene in_view(lab::RealScene scene, const std::string& path) {
-  if (!scene.triangles.empty()) return scene;
-  throw Error(ErrorCode::kScene, path, "nothing of it is in the frame");
-}
-
 lab::RealScene open_real(const SceneOptions& options) {
   const Config config;
-  if (is_tcov(options.path)) {
-    return in_view(lab::tcov_scene(options.path, options.case_id), options.path);
+  const std::unique_ptr<Scene> scene = options.open(config, Lighting::kGouraud);
+  if (scene->frames() != 1) {
+    throw Error(ErrorCode::kScene, options.path,
+                fmt::format("the file has {} cases: choose one with --case", scene->frames()));
   }
-  const FrameSize size = frame_size(options.size, config);
-  return in_view(lab::mesh_scene(options.path, size.width, size.height, options.camera.options()),
-                 options.path);
+  const FrameState frame = scene->frame(0, config);
+  if (is_tcov(options.path)) {
+    RunStats unused;  // a coordinate beyond the configuration is refused as render refuses it
+    scene->draw(0, frame, config, unused, [](const ShadedTriangle&) {});
+  }
+  lab::RealScene real = lab::real_scene(*scene, frame, options.path);
+  if (!real.triangles.empty()) return real;
+  throw Error(ErrorCode::kScene, options.path, "nothing of it is in the frame");
 }
 
 }  // namespace

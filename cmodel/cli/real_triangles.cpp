@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "real_triangles.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -27,26 +28,28 @@ RealVertex project(const ClipVertex& vertex, const FrameState& frame) {
 }  // namespace
 
 void real_triangles(const std::array<ClipVertex, 3>& triangle, std::uint64_t index,
-                    const FrameState& frame, const RealSink& sink) {
+                    const FrameState& frame, int guard_bits, const RealSink& sink) {
   for (const ClipVertex& vertex : triangle) {
     if (!representable(vertex.position)) return;
   }
+  const auto count_outside = [&](const ClipPlane& plane) {
+    return std::count_if(triangle.begin(), triangle.end(),
+                         [&](const ClipVertex& vertex) { return outside(plane, vertex.position); });
+  };
   // Without a guard band the volume's sides are the frame's.
-  const ClipVolume volume = clip_volume(frame, Config{.guard_bits = 0});
-  bool cut = false;
-  for (std::size_t i = 0; i < volume.size(); ++i) {
-    int count = 0;
-    for (const ClipVertex& vertex : triangle) count += outside(volume[i], vertex.position) ? 1 : 0;
-    if (count == 3) return;
-    cut = cut || (count != 0 && i < kDepthPlanes);
+  for (const ClipPlane& plane : clip_volume(frame, Config{.guard_bits = 0})) {
+    if (count_outside(plane) == 3) return;
   }
-  if (!cut) {
+  const ClipVolume volume = clip_volume(frame, Config{.guard_bits = guard_bits});
+  const auto cutting = std::span(volume).first(guard_bits == 0 ? kDepthPlanes : kClipPlanes);
+  if (std::all_of(cutting.begin(), cutting.end(),
+                  [&](const ClipPlane& plane) { return count_outside(plane) == 0; })) {
     sink({{project(triangle[0], frame), project(triangle[1], frame), project(triangle[2], frame)},
           index,
           true});
     return;
   }
-  const ClipPolygon polygon = clip(triangle, std::span(volume).first(kDepthPlanes));
+  const ClipPolygon polygon = clip(triangle, cutting);
   for (int i = 1; i + 1 < polygon.count; ++i) {
     const auto at = static_cast<std::size_t>(i);
     sink({{project(polygon.vertex[0], frame), project(polygon.vertex[at], frame),

@@ -29,7 +29,9 @@ using RealSink = std::function<void(const RealTriangle&)>;
 
 // The triangle, or the pieces that near and far leave of it; nothing where GeometryStage drops it
 // whatever its configuration: a coordinate is not finite, or it lies beyond one side of the frame.
+//
+//   guard_bits  0, or the sides cut as well, at the guard band of +-2^guard_bits px
 void real_triangles(const std::array<ClipVertex, 3>& triangle, std::uint64_t index,
-                    const FrameState& frame, const RealSink& sink);
+                    const FrameState& frame, int guard_bits, const RealSink& sink);
 
 }  // namespace halfspace

@@ -86,11 +86,12 @@ class MeshScene : public Scene {
     stats.simulate_seconds += seconds_since(start);
   }
 
-  void real(std::size_t index, const RealSink& sink) const override {
+  using Scene::real;
+  void real(std::size_t index, int guard_bits, const RealSink& sink) const override {
     VertexCache vertices(shader_[index]);
     std::uint64_t number = 0;
     for (const auto& triangle : mesh_.triangles) {
-      real_triangles(corners(triangle, index, vertices), number++, frame_, sink);
+      real_triangles(corners(triangle, index, vertices), number++, frame_, guard_bits, sink);
     }
   }
 
@@ -195,7 +196,8 @@ class TcovScene : public Scene {
     stats.simulate_seconds += seconds_since(start);
   }
 
-  void real(std::size_t index, const RealSink& sink) const override {
+  using Scene::real;
+  void real(std::size_t index, int, const RealSink& sink) const override {
     std::uint64_t number = 0;
     for (const auto& source : cases_[index].triangles) {
       RealTriangle triangle;

@@ -47,9 +47,10 @@ class Scene {
   // The same into a frame engine, many triangles at a time.
   virtual void draw(std::size_t index, const FrameState& frame, const Config& config,
                     RunStats& stats, FrameEngine& engine) const;
-  // The same triangles before they are snapped, in the same order; a TCOV case's are as in the
-  // file.
-  virtual void real(std::size_t index, const RealSink& sink) const = 0;
+  // The same triangles before they are snapped, in the same order, as real_triangles(); a TCOV
+  // case's are as in the file.
+  virtual void real(std::size_t index, int guard_bits, const RealSink& sink) const = 0;
+  void real(std::size_t index, const RealSink& sink) const { real(index, 0, sink); }
   // A mesh's camera, and its triangles before clipping, in order; null and none for a TCOV case.
   virtual const Camera* camera(std::size_t) const { return nullptr; }
   virtual void faces(std::size_t, const FaceSink&) const {}

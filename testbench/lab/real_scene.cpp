@@ -6,36 +6,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/scene.hpp"
 #include "fixed.hpp"
 #include "generators.hpp"
 #include "geometry.hpp"
-#include "io/error.hpp"
-#include "io/mesh.hpp"
-#include "io/tcov.hpp"
 #include "rasterizer.hpp"
 
 namespace halfspace::lab {
 namespace {
 
-constexpr int kClipBits = 13;  // geometry beyond +-2^13 px is cut
-
-bool finite(const glm::dvec4& p) {
-  return std::abs(p.x) <= kMaxMagnitude && std::abs(p.y) <= kMaxMagnitude &&
-         std::abs(p.z) <= kMaxMagnitude && std::abs(p.w) <= kMaxMagnitude;
-}
-
-void add_clipped(const std::array<ClipVertex, 3>& triangle, const ClipVolume& volume,
-                 RealScene& scene) {
-  const ClipPolygon polygon = clip(triangle, volume);
-  const auto px = [&](int i) {
-    const glm::dvec4& p = polygon.vertex[static_cast<std::size_t>(i)].position;
-    return oracle::Vec{(p.x / p.w + 1.0) * scene.width / 2.0,
-                       (1.0 - p.y / p.w) * scene.height / 2.0};
-  };
-  for (int i = 1; i + 1 < polygon.count; ++i) {
-    scene.triangles.push_back({px(0), px(i), px(i + 1)});
-  }
-}
+constexpr int kGuardBits = 13;  // geometry beyond +-2^13 px is cut
 
 // Pixels with a centre in a range of coordinates, cut to the frame.
 std::pair<int, int> centres(double least, double greatest, int size) {
@@ -46,45 +26,15 @@ std::pair<int, int> centres(double least, double greatest, int size) {
 
 }  // namespace
 
-RealScene mesh_scene(const std::string& path, int width, int height, const CameraOptions& options) {
-  const Mesh mesh = load_mesh(path);
-  const double aspect = static_cast<double>(width) / height;
-  const glm::dmat4 matrix = world_to_clip(frame_camera(mesh.bounds, aspect, options), aspect);
-  Config config;
-  config.guard_bits = kClipBits;
-  const ClipVolume volume = clip_volume({width, height, Cull::kNone}, config);
-  RealScene scene{path, width, height, {}};
-  for (const auto& index : mesh.triangles) {
-    std::array<ClipVertex, 3> triangle;
-    bool usable = true;
-    for (std::size_t i = 0; i < 3; ++i) {
-      triangle[i].position = matrix * glm::dvec4(glm::dvec3(mesh.positions[index[i]]), 1.0);
-      usable = usable && finite(triangle[i].position);
-    }
-    if (usable) add_clipped(triangle, volume, scene);
-  }
-  return scene;
-}
-
-RealScene tcov_scene(const std::string& path, int case_id) {
-  const std::vector<TcovCase> cases = read_tcov(path);
-  if (case_id < 0 && cases.size() != 1) {
-    throw Error(ErrorCode::kScene, path,
-                fmt::format("the file has {} cases: choose one with --case", cases.size()));
-  }
-  for (const TcovCase& tcov : cases) {
-    if (case_id >= 0 && tcov.id != case_id) continue;
-    RealScene scene{path, tcov.width, tcov.height, {}};
-    for (const auto& t : tcov.triangles) {
-      const auto px = [&](std::size_t i) {
-        return oracle::Vec{static_cast<double>(t[2 * i]) / 256.0,
-                           static_cast<double>(t[2 * i + 1]) / 256.0};
-      };
-      scene.triangles.push_back({px(0), px(1), px(2)});
-    }
-    return scene;
-  }
-  throw Error(ErrorCode::kScene, path, fmt::format("has no case {}", case_id));
+RealScene real_scene(const Scene& scene, const FrameState& frame, const std::string& name) {
+  RealScene out{name, frame.width, frame.height, {}};
+  scene.real(0, kGuardBits, [&](const RealTriangle& triangle) {
+    const auto px = [&](std::size_t i) {
+      return oracle::Vec{triangle.vertex[i].x, triangle.vertex[i].y};
+    };
+    out.triangles.push_back({px(0), px(1), px(2)});
+  });
+  return out;
 }
 
 RealScene random_scene(std::uint64_t seed, int count, double side, int width, int height) {

@@ -7,10 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "camera.hpp"
 #include "config.hpp"
 #include "oracle.hpp"
 #include "packets.hpp"
+
+namespace halfspace {
+class Scene;
+}
 
 namespace halfspace::lab {
 
@@ -22,14 +25,9 @@ struct RealScene {
   std::vector<oracle::Corners> triangles;
 };
 
-// A mesh seen by a camera: transformed, clipped near, far and at +-2^13 px, divided, in double
-// precision. Triangles with a coordinate that is not finite are left out. Throws what load_mesh()
-// throws.
-RealScene mesh_scene(const std::string& path, int width, int height, const CameraOptions& camera);
-
-// The case of a TCOV file with that id; -1: the only one. Throws what read_tcov() throws, and
-// Error(kScene) for an unknown id or when -1 leaves a choice.
-RealScene tcov_scene(const std::string& path, int case_id);
+// A scene's first frame: Scene::real() with a guard band of +-2^13 px, so that every mesh has its
+// triangles in the range of the charts' configurations. A TCOV file's are as they are.
+RealScene real_scene(const Scene& scene, const FrameState& frame, const std::string& name);
 
 // Seeded triangles, each within a square of `side` px somewhere in the frame.
 RealScene random_scene(std::uint64_t seed, int count, double side, int width, int height);
