@@ -56,7 +56,7 @@ def efficiency(data):
     for tile in data["tiles"]:
         px, rows = tile["tile_px"], tile["rows"]
         style = "--o" if tile["how"] == "counted" else "-o"
-        label = f"{px}x{px} px" + (", counted: not built" if tile["how"] == "counted" else "")
+        label = f"{px}x{px} px" + (": counted only, no RTL" if tile["how"] == "counted" else "")
         for axes, key in ((left, "efficiency"), (right, "pixels_per_clock")):
             axes.plot([r["side_px"] for r in rows], [r[key] for r in rows], style, markersize=4,
                       color=colors[px], label=label)
@@ -67,6 +67,7 @@ def efficiency(data):
     right.set_yscale("log", base=2)
     right.set(ylabel="covered pixels per clock", title="Speed at a tile per clock")
     left.legend()
+    right.legend()
     area = stored("subpixel_area.json")
     luts = [v["luts"] / 1000 for _, v in sorted((area or {}).get("tile_px", {}).items())]
     bars.set_visible(bool(luts))
@@ -74,6 +75,8 @@ def efficiency(data):
     bars.bar(names[:len(luts)], luts, color=[GREEN, BLUE], width=0.55)
     for i, v in enumerate(luts):
         bars.text(i, v, f"{1000 * v:,.0f}", ha="center", va="bottom")
+    bars.bar(["16x16 px"], [0])
+    bars.text(len(luts), 0, "no RTL:\nnot measured", ha="center", va="bottom", color=RED)
     bars.set(ylabel="thousand LUTs (ECP5)", title="Area, preset tiny with that tile",
              ylim=(0, 1.12 * max(luts, default=1)))
     bars.grid(False, axis="x")
