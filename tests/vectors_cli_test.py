@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -178,6 +179,11 @@ class Vectors(unittest.TestCase):
         self.refuse("HS091", "--check", manifest, says="CRC-32")
         (self.out / "b.json").write_text("[]")
         self.refuse("HS091", "--check", self.out / "b.json")
+        for name in ("none", "none.hsv", "none.csv", "none.json", "none.hex"):
+            self.refuse("HS010", "--check", self.out / name, says="cannot read")
+        for name in ("empty.csv", "empty.jsonl"):  # they have no line to name
+            (self.out / name).write_text("")
+            self.refuse("HS091", "--check", self.out / name, says=f"{name}: ")
 
     def test_illegal_stimulus_is_refused(self):
         self.make(stage="triangle_setup")
@@ -227,7 +233,14 @@ class Vectors(unittest.TestCase):
                                 self.out / "g.csv")
         self.assertEqual(done.returncode, 1)
         self.assertIn("missed: ", done.stdout)
-        self.assertRegex(done.stdout, r"unreachable: .*mask\.lacks\.lane5.*: coverage is convex")
+        lines = done.stdout.splitlines()
+        self.assertIn("unreachable: mask.lacks.lane5: coverage is convex",
+                      [line[:49] for line in lines])
+        counts = {word: sum(line.startswith(f"{word}: ") for line in lines)
+                  for word in ("missed", "unreachable")}
+        said = re.search(r"(\d+) bins: (\d+) hit, (\d+) missed, (\d+) unreachable", done.stdout)
+        self.assertEqual(counts, {"missed": int(said[3]), "unreachable": int(said[4])})
+        self.assertGreater(counts["missed"], 0)
 
     def test_a_small_goal_takes_fewer_vectors(self):
         made = {}

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <map>
 
 #include "../io/error.hpp"
 #include "../io/vectors_file.hpp"
@@ -33,17 +32,18 @@ double percent_of(std::size_t part, std::size_t whole) {
   return whole == 0 ? 100.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
-// Bins of each state, on stdout; the reachable ones that were hit.
+// A line for each bin that is missed, or unreachable with the reason, and with `list` for each that
+// is hit; then the counts. Returns the reachable ones that were hit.
 std::size_t report(const BinModel& model, const BinSet& hits, bool list) {
   std::size_t hit = 0;
-  std::map<std::string, std::vector<std::string>> unreachable;
   for (std::size_t i = 0; i < model.bins().size(); ++i) {
     const Bin& bin = model.bins()[i];
     if (!bin.reason.empty()) {
       if (hits.has(i)) {
         fmt::print("WRONG: {} was hit, but was held for unreachable: {}\n", bin.name, bin.reason);
+      } else {
+        fmt::print("unreachable: {}: {}\n", bin.name, bin.reason);
       }
-      unreachable[bin.reason].push_back(bin.name);
       continue;
     }
     hit += hits.has(i) ? 1u : 0u;
@@ -52,9 +52,6 @@ std::size_t report(const BinModel& model, const BinSet& hits, bool list) {
     } else if (list) {
       fmt::print("hit: {}\n", bin.name);
     }
-  }
-  for (const auto& [reason, names] : unreachable) {
-    fmt::print("unreachable: {} ({} bins): {}\n", fmt::join(names, " "), names.size(), reason);
   }
   const std::size_t reachable = model.reachable();
   fmt::print("{} bins: {} hit, {} missed, {} unreachable: {:.2f} % of the reachable ones\n",

@@ -9,8 +9,8 @@ namespace halfspace {
 inline constexpr const char* kBench =
     R"SV(// @PROGRAM@: vectors of @STAGE@. Do not edit: made by `halfspace vectors --bench`.
 //
-// Plays vectors.*.hex to hs_vectors_dut and compares. Ends with "PASS" and status 0, or with "FAIL",
-// the first difference and another status.
+// Plays vectors.*.hex to hs_vectors_dut and compares. Ends with "PASS" and status 0, or with
+// "FAIL", the first difference and another status.
 //   +bits_only   packets and their order, not the clocks (a DUT with other latencies)
 `timescale 1ns / 1ns
 module hs_vectors_tb;
@@ -229,8 +229,10 @@ fi
 iverilog -g2012 -DHS_NETLIST -s hs_vectors_tb -o "$build/bench.vvp" \
   "$NETLIST" "$here/hs_vectors_dut.sv" "$here/hs_vectors_tb.sv"
 cd "$here"
-vvp -n "$build/bench.vvp" ${HS_PLUSARGS:-} >"$build/log.txt" 2>&1 || { cat "$build/log.txt"; exit 1; }
+status=0
+vvp -n "$build/bench.vvp" ${HS_PLUSARGS:-} >"$build/log.txt" 2>&1 || status=1
 cat "$build/log.txt"
+[ "$status" -eq 0 ]
 grep -q '^PASS: ' "$build/log.txt"
 )SH";
 

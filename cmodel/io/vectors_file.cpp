@@ -154,12 +154,13 @@ void write_files(const FolderFiles& folders) {
 
 std::vector<PlacedVectors> read_vectors(const std::string& path) {
   if (fs::path(path).extension() == ".json") return read_manifest(path);
+  const std::string bytes = read_file(path);  // a file that is not there is said before its name
   const VectorFormat format = vector_format(path, "");
   if (format == VectorFormat::kReadmemh) {
     throw Error(ErrorCode::kVectorRequest, path, "hex files are read by their manifest (.json)");
   }
   std::vector<PlacedVectors> sets;
-  sets.push_back({path, parse_one(format, read_file(path), path)});
+  sets.push_back({path, parse_one(format, bytes, path)});
   return sets;
 }
 

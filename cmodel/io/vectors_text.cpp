@@ -34,7 +34,8 @@ class Lines {
     return true;
   }
   std::string_view line() const { return line_; }
-  std::string place() const { return fmt::format("{}:{}", file_, number_); }
+  // An empty file has no line.
+  std::string place() const { return number_ == 0 ? file_ : fmt::format("{}:{}", file_, number_); }
   [[noreturn]] void broken(const char* text) const {
     throw Error(ErrorCode::kVectorsBroken, place(), text);
   }
