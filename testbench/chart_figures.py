@@ -152,8 +152,9 @@ def accumulator(data):
     axes.set_yticks([floor, *ticks], ["0", *(f"{t:,.0f}" if t >= 1 else f"{t:g}" for t in ticks)])
     axes.minorticks_off()
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
-    figure.suptitle(f"2k + s + 3 bits are exact (s = {data['subpixel_bits']}); one fewer is a cliff",
-                    fontweight="bold")
+    figure.suptitle(
+        f"2k + s + 3 bits are exact (s = {data['subpixel_bits']}); one fewer is a cliff",
+        fontweight="bold")
     figure.tight_layout()
     return figure
 

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """wave_svg.py TRACE.json OUT.svg --from CLOCK --to CLOCK --track NAME ... [--title TEXT]
 
-Draws the handshakes of a recorded trace (halfspace cosim --trace TRACE.json) as a waveform: for each
-track valid, ready and the packet. Ready is hatched where the trace does not tell: while no packet is
-offered. A packet that ends in the stage (dropped, empty) is drawn grey, with valid low.
+Draws the handshakes of a recorded trace (halfspace cosim --trace TRACE.json) as a waveform: for
+each track valid, ready and the packet. Ready is hatched where the trace does not tell: while no
+packet is offered. A packet that ends in the stage (dropped, empty) is drawn grey, with valid low.
 """
 import argparse
 import html
@@ -12,7 +12,8 @@ import json
 
 CLOCK, ROW, LEFT, TOP = 30, 24, 190, 44
 HIGH, LOW = 4, 18
-GROUND, INK, LINE, GRID, FILL, GREY = "#ffffff", "#1f2937", "#2563eb", "#d1d5db", "#dbeafe", "#e5e7eb"
+GROUND, INK, LINE = "#ffffff", "#1f2937", "#2563eb"
+GRID, FILL, GREY = "#d1d5db", "#dbeafe", "#e5e7eb"
 
 
 def read(path):
@@ -85,7 +86,8 @@ class Wave:
                               f'height="16" rx="3" fill="{GREY if ends else FILL}" '
                               f'stroke="{LINE}" stroke-width="0.8"/>')
             short = words.split(" ")[-1].strip("()")
-            self.text(self.x(first) + width / 2, y + 15, short, "middle", 9 if len(short) > 4 else 11)
+            size = 9 if len(short) > 4 else 11
+            self.text(self.x(first) + width / 2, y + 15, short, "middle", size)
         self.row += 1
 
     def svg(self):

@@ -10,6 +10,7 @@
 
 #include "../fit/area_model.hpp"
 #include "../io/config_json.hpp"
+#include "../io/config_package.hpp"
 #include "command.hpp"
 
 namespace halfspace {
@@ -35,6 +36,7 @@ nlohmann::ordered_json area_json(const Config& config) {
   const AreaFeatures f = area_features(config);
   const AreaEstimate area = area_estimate(config);
   nlohmann::ordered_json json;
+  json["unit"] = kAreaUnit;
   json["luts"] = std::llround(area.luts());
   json["lut4"] = std::llround(area.lut4);
   json["ccu2c"] = std::llround(area.ccu2c);
@@ -56,13 +58,26 @@ Action add_config_command(CLI::App& program) {
   auto options = std::make_shared<ConfigOptions>();
   auto derived = std::make_shared<bool>(false);
   auto area = std::make_shared<bool>(false);
+  auto package = std::make_shared<bool>(false);
   options->add_to(*command);
-  command->add_flag("--derived", *derived, "Print derived widths (bits) instead");
-  command->add_flag("--area", *area, "Print the estimated area (ECP5 cells) instead")
-      ->excludes(command->get_option("--derived"));
+  CLI::Option* widths =
+      command->add_flag("--derived", *derived, "Print derived widths (bits) instead");
+  CLI::Option* cells =
+      command
+          ->add_flag("--area", *area,
+                     "Print the estimated area instead (ECP5 cells; luts: LUT4 + 2 CCU2C)")
+          ->excludes(widths);
+  command
+      ->add_flag("--package", *package, "Print hs_config_pkg.sv of it instead, for the RTL in rtl/")
+      ->excludes(widths)
+      ->excludes(cells);
   command->footer("Example: halfspace config --config d3d --derived");
-  return [options, derived, area] {
+  return [options, derived, area, package] {
     const Config config = options->load();
+    if (*package) {
+      fmt::print("{}", config_package(config, "what halfspace config was asked for"));
+      return 0;
+    }
     fmt::print("{}\n", (*area      ? area_json(config)
                         : *derived ? derived_json(config)
                                    : config_json(config))

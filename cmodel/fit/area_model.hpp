@@ -29,6 +29,10 @@ struct AreaEstimate {
 };
 AreaEstimate area_estimate(const Config& config);
 
+// What `luts` of an area is, for readers of JSON.
+inline constexpr const char* kAreaUnit =
+    "cells of yosys synth_ecp5; luts = lut4 + 2 ccu2c, as a CCU2C takes two LUT4s";
+
 // Greatest error of luts() and of flip_flops against the measured configurations, in percent, each
 // predicted by coefficients fitted to the others. docs/charts/fit_area.json has the measurements.
 inline constexpr double kAreaErrorPercent = 4.0;

@@ -41,18 +41,16 @@ def predict(coefficients, f, target):
     return sum(c * f[name] for c, name in zip(coefficients, MODEL[target]))
 
 
-def measure(entries):
+def measure(program, entries):
     import area
-    fields = {"SUBPIXEL_BITS": "subpixel_bits", "VIEWPORT_BITS": "viewport_bits",
-              "GUARD_BITS": "guard_bits", "EXTENT_BITS": "extent_bits", "SAMPLES": "samples",
-              "GRID_LOG2": "grid_log2", "SETUP_INTERVAL": "setup_interval", "TAG_BITS": "tag_bits"}
     for entry in entries:
-        folder = pathlib.Path(tempfile.mkdtemp())
-        lines = [f"`define HS_{macro} {entry['config'][key]}" for macro, key in fields.items()]
-        lines += ["package hs_config_pkg;"]
-        lines += [f"  localparam int {macro} = `HS_{macro};" for macro in fields]
-        (folder / "hs_config_pkg.sv").write_text("\n".join(lines + ["endpackage"]) + "\n")
-        entry["measured"] = area.measure_flat(str(folder / "hs_config_pkg.sv"), folder)
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "config.json").write_text(json.dumps(entry["config"]))
+            package = subprocess.run([program, "config", "--config", folder / "config.json",
+                                      "--package"], capture_output=True, text=True, check=True)
+            (folder / "hs_config_pkg.sv").write_text(package.stdout)
+            entry["measured"] = area.measure_flat(str(folder / "hs_config_pkg.sv"), folder)
     DATA.write_text("[\n" + ",\n".join(" " + json.dumps(e) for e in entries) + "\n]\n")
 
 
@@ -63,7 +61,7 @@ def main():
     arguments = parser.parse_args()
     entries = json.loads(DATA.read_text())
     if arguments.measure:
-        measure(entries)
+        measure(arguments.program, entries)
     rows = [(features(arguments.program, e["config"]), e["measured"]) for e in entries]
     for target in MODEL:
         print(target, dict(zip(MODEL[target], solve(rows, target).round(4).tolist())))

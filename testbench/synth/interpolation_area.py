@@ -3,9 +3,10 @@
 """What a perspective divider costs by the bits of its reciprocal: writes
 docs/charts/interpolation_area.json.
 
-The stage has no RTL yet, so this measures its arithmetic alone: the product of cmodel/interpolation,
-perspective(), by yosys synth_ecp5 without multiplier blocks, and the size of the table that a
-reciprocal would be read from, which is counted: 2^(R-1) words of R + 1 bits. Seconds."""
+The stage has no RTL yet, so this measures its arithmetic alone: the product of
+cmodel/interpolation, perspective(), by yosys synth_ecp5 without multiplier blocks, and the size of
+the table that a reciprocal would be read from, which is counted: 2^(R-1) words of R + 1 bits.
+Seconds."""
 import json
 import pathlib
 import sys

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""LUTs and clock of the RTL at several subpixel widths, LUTs at two tile sizes, as area.py measures.
+"""LUTs and clock of the RTL at several subpixel widths, LUTs at two tile sizes: area.py's recipe.
 
 Writes docs/charts/subpixel_area.json. Preset `tiny` with one value changed, because it is measured
 in minutes. What was measured before on the same RTL by the same recipe is taken
