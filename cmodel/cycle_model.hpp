@@ -39,6 +39,7 @@ class CycleModel {
   }
 
   const RasterStats& stats() const { return stats_; }
+  const Timing& timing() const { return timing_; }
 
   // Clocks from reset to the last edge at which a triangle was accepted or a tile left, included.
   std::uint64_t clocks() const { return clocks_; }

@@ -88,6 +88,11 @@ class Timing {
   // The tile that last entered coverage holds no covered sample.
   void drop_tile() { coverage_free4_ = to_register4() + 1; }
 
+  // Whether the first register of `level` is a FIFO of two, and when the last packet but the one
+  // that is in it left it.
+  bool buffered(int level) const { return level_[at(level)].buffered; }
+  Clock left(int level) const { return level_[at(level)].left; }
+
   // It is taken by the sink.
   Clock leave_tile() {
     coverage_free4_ = stalls_.next_ready(to_register4() + 1);

@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "batch/cycle_engine.hpp"
 #include "cli/scene.hpp"
+#include "fit/replay.hpp"
 #include "generators.hpp"
 
 namespace halfspace {
@@ -109,6 +112,102 @@ TEST(Estimate, SameSeedSameAnswerAndSeedsDiffer) {
   };
   EXPECT_EQ(at(1), at(1));
   EXPECT_NE(at(1), at(2));
+}
+
+TEST(Estimate, StretchesAreInTheStreamSpreadAndShort) {
+  const Work large = generated("mixed", 5, 20'000, kFull);
+  const Work small = scene_work("teapot", "teapot.obj", 320, 240, kFull);
+  for (const Work* work : {&large, &small}) {
+    const ClockEstimate e = estimate_clocks(work->triangles, work->frame, work->config, 1);
+    ASSERT_EQ(e.stretches.size(), 12u) << work->name;
+    EXPECT_EQ(e.stretches.front().begin, 0u) << work->name;
+    EXPECT_GT(e.stretches.back().begin, work->triangles.size() / 2) << work->name;
+    std::size_t before = 0;
+    for (const ClockEstimate::Stretch& s : e.stretches) {
+      EXPECT_GE(s.begin, before) << work->name;
+      EXPECT_LT(s.begin, s.end) << work->name;
+      EXPECT_LE(s.end, work->triangles.size()) << work->name;
+      before = s.begin;
+    }
+  }
+  EXPECT_TRUE(estimate_clocks({}, small.frame, small.config, 1).stretches.empty());
+}
+
+// Every triangle covers the frame: 4096 leaf tiles, more than a stretch may have.
+TEST(Estimate, AStretchEndsWhereItsWorkDoes) {
+  Work work = generated("large", 1, 40, kFull);
+  for (Triangle& t : work.triangles) t.vertex = {Point{0, 0}, {262'144, 0}, {0, 262'144}};
+  const ClockEstimate e = estimate_clocks(work.triangles, work.frame, work.config, 1);
+  ASSERT_EQ(e.stretches.size(), 10u);  // windows of four
+  for (const ClockEstimate::Stretch& s : e.stretches) EXPECT_EQ(s.end - s.begin, 1u);
+}
+
+ClockEstimate with_stretches(int count) {
+  ClockEstimate e;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    e.stretches.push_back({3 * i, 3 * i + 2});
+  }
+  return e;
+}
+
+TEST(Replay, CountsWhatTheRtlConfirms) {
+  const Work work = generated("mixed", 5, 100, kFull);
+  RunStats::Prediction::Rtl rtl;
+  std::size_t at = 0;
+  replay_stretches(
+      with_stretches(4), work.triangles,
+      [&](std::span<const Triangle> some) {
+        EXPECT_EQ(some.data(), work.triangles.data() + 3 * at++);
+        EXPECT_EQ(some.size(), 2u);
+        return RtlAgreement{100, 7, ""};
+      },
+      rtl);
+  EXPECT_EQ(at, 4u);
+  EXPECT_TRUE(rtl.available);
+  EXPECT_EQ(rtl.windows, 4u);
+  EXPECT_EQ(rtl.clocks, 400u);
+  EXPECT_EQ(rtl.packets, 28u);
+  EXPECT_EQ(rtl.mismatch, "");
+}
+
+TEST(Replay, StopsAtTheFirstDifferenceAndSaysWhere) {
+  const Work work = generated("mixed", 5, 100, kFull);
+  RunStats::Prediction::Rtl rtl;
+  int runs = 0;
+  const RtlReplay replay = [&](std::span<const Triangle>) {
+    return RtlAgreement{100, 7, ++runs == 2 ? "mismatch: field=e0" : ""};
+  };
+  replay_stretches(with_stretches(4), work.triangles, replay, rtl);
+  EXPECT_EQ(runs, 2);
+  EXPECT_EQ(rtl.mismatch, "triangles 3 to 4, counted from 3: mismatch: field=e0");
+  replay_stretches(with_stretches(4), work.triangles, replay, rtl);  // of the next frame
+  EXPECT_EQ(runs, 2);
+}
+
+TEST(Replay, WithoutTheRtlNothingIsConfirmed) {
+  const Work work = generated("mixed", 5, 100, kFull);
+  RunStats::Prediction::Rtl rtl;
+  replay_stretches(
+      with_stretches(4), work.triangles,
+      [](std::span<const Triangle>) { return std::optional<RtlAgreement>(); }, rtl);
+  EXPECT_FALSE(rtl.available);
+  EXPECT_EQ(rtl.windows, 0u);
+}
+
+TEST(Replay, EndsWhenItHasRunEnough) {
+  const Work work = generated("mixed", 5, 100, kFull);
+  RunStats::Prediction::Rtl rtl;
+  int runs = 0;
+  for (int frame = 0; frame < 10; ++frame) {
+    replay_stretches(
+        with_stretches(4), work.triangles,
+        [&](std::span<const Triangle>) {
+          ++runs;
+          return RtlAgreement{kReplayClocks / 6, 7, ""};
+        },
+        rtl);
+  }
+  EXPECT_EQ(runs, 7);
 }
 
 }  // namespace

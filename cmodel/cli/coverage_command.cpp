@@ -51,7 +51,7 @@ TcovCase run_case(const TcovCase& source, Level level, Cull cull, const Config& 
   return out;
 }
 
-void run_coverage(const CoverageOptions& options) {
+int run_coverage(const CoverageOptions& options) {
   const Clock::time_point start = Clock::now();
   const bool automatic = options.level == "auto";
   const Level level = parse_level(automatic ? "coverage" : options.level);
@@ -89,6 +89,7 @@ void run_coverage(const CoverageOptions& options) {
   stats.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (!options.stats.empty()) write_stats(outputs.open(options.stats), stats, config);
   outputs.commit();
+  return exit_status(stats);
 }
 
 }  // namespace
@@ -107,10 +108,7 @@ Action add_coverage_command(CLI::App& program) {
   add_cull_option(*command, options->cull);
   options->config.add_to(*command);
   command->footer("Example: halfspace coverage tests/data/public.tcov --out out/public.tcov");
-  return [options] {
-    run_coverage(*options);
-    return 0;
-  };
+  return [options] { return run_coverage(*options); };
 }
 
 }  // namespace halfspace

@@ -163,7 +163,7 @@ TraceLog level_trace(Level level, const Scene& scene, Cull cull, const Config& c
                               : trace_model(triangles, frame, config, Stalls());
 }
 
-void run_render(const RenderOptions& options) {
+int run_render(const RenderOptions& options) {
   const Clock::time_point start = Clock::now();
   const methods::Method* method = nullptr;
   if (!options.method.empty()) method = &find_method(options.method, options.shade);
@@ -213,6 +213,7 @@ void run_render(const RenderOptions& options) {
     write_trace(outputs.open(options.trace), level_trace(level, *scene, cull, config));
   }
   outputs.commit();
+  return exit_status(stats);
 }
 
 }  // namespace
@@ -252,10 +253,7 @@ Action add_render_command(CLI::App& program) {
   command->footer(
       "Without --eye the camera frames the scene by itself.\n"
       "Example: halfspace render tests/scenes/teapot.obj --size 640x480 --out out/teapot.png");
-  return [o] {
-    run_render(*o);
-    return 0;
-  };
+  return [o] { return run_render(*o); };
 }
 
 }  // namespace halfspace

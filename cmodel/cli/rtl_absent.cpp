@@ -15,6 +15,11 @@ std::uint64_t rasterize_rtl(std::span<const Triangle>, const FrameState&, const 
   return 0;
 }
 
+std::optional<RtlAgreement> compare_with_rtl(std::span<const Triangle>, const FrameState&,
+                                             const Config&) {
+  return std::nullopt;
+}
+
 TraceLog trace_rtl_level(std::span<const Triangle>, const FrameState&, const Config& config) {
   require_rtl(config, "--trace");
   return {};

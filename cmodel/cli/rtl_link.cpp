@@ -34,6 +34,15 @@ std::uint64_t rasterize_rtl(std::span<const Triangle> triangles, const FrameStat
   }
 }
 
+std::optional<RtlAgreement> compare_with_rtl(std::span<const Triangle> triangles,
+                                             const FrameState& frame, const Config& config) {
+  const std::unique_ptr<RtlRasterizer> rtl = make_rtl_rasterizer(config);
+  if (!rtl) return std::nullopt;
+  const CosimResult result = cosim(*rtl, triangles, frame, config, {});
+  return RtlAgreement{result.clocks, result.packets_compared,
+                      result.mismatch ? result.mismatch->line() : std::string()};
+}
+
 TraceLog trace_rtl_level(std::span<const Triangle> triangles, const FrameState& frame,
                          const Config& config) {
   try {

@@ -6,10 +6,12 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "../config.hpp"
+#include "../fit/replay.hpp"
 #include "../io/trace.hpp"
 #include "../packets.hpp"
 #include "../stalls.hpp"
@@ -24,6 +26,11 @@ void require_rtl(const Config& config, const std::string& place);
 std::uint64_t rasterize_rtl(std::span<const Triangle> triangles, const FrameState& frame,
                             const Config& config,
                             const std::function<void(const CoverageTile&)>& tile);
+
+// Level rtl against level cycle (fit/replay.hpp): every packet at every handshake, in bits and
+// clock, from reset, without stalls. Nothing when this build has no RTL of the configuration.
+std::optional<RtlAgreement> compare_with_rtl(std::span<const Triangle> triangles,
+                                             const FrameState& frame, const Config& config);
 
 // The handshakes of level rtl (io/trace.hpp). Throws as rasterize_rtl().
 TraceLog trace_rtl_level(std::span<const Triangle> triangles, const FrameState& frame,

@@ -16,6 +16,8 @@ constexpr std::size_t kWindows = 49;      // run, the first included
 constexpr double kStudent = 2.012;        // 97.5 % quantile, 47 degrees of freedom
 constexpr std::uint64_t kWarmUp = 96;     // clocks of work before a window: more than is in flight
 constexpr std::size_t kPopulation = 512;  // windows in all, about
+constexpr std::size_t kStretches = 12;
+constexpr std::uint64_t kStretchWork = 4096;  // clocks
 
 // Clocks that a triangle takes where nothing but its tiles and setup cost: its work.
 std::vector<std::uint64_t> work_of(std::span<const Triangle> triangles, const FrameState& frame,
@@ -97,6 +99,14 @@ class Windows {
     return at;
   }
   std::size_t length(std::size_t window) const { return last(window) - begin(window); }
+  // The window's run again, cut after kStretchWork.
+  ClockEstimate::Stretch stretch(std::size_t window) const {
+    ClockEstimate::Stretch out{begin(window), begin(window)};
+    for (std::uint64_t done = 0; out.end < last(window) && done < kStretchWork;) {
+      done += work_[out.end++];
+    }
+    return out;
+  }
   // Clocks between the end of the triangle before the window and the end of its last.
   double clocks(std::size_t window) const {
     Ends ends;
@@ -114,8 +124,17 @@ class Windows {
   std::vector<std::uint64_t> work_;
 };
 
-ClockEstimate run_all(std::span<const Triangle> triangles, const FrameState& frame,
-                      const Config& config) {
+// kStretches of the windows, or all when there are fewer, the first among them.
+template <class Window>
+void add_stretches(const Windows& windows, std::size_t count, Window&& window, ClockEstimate& out) {
+  const std::size_t some = std::min(count, kStretches);
+  for (std::size_t i = 0; i < some; ++i) {
+    out.stretches.push_back(windows.stretch(window(i * count / some)));
+  }
+}
+
+ClockEstimate run_all(const Windows& windows, std::span<const Triangle> triangles,
+                      const FrameState& frame, const Config& config) {
   Ends ends;
   CycleEngine engine(frame, config, Stalls());
   engine.draw(triangles, ends);
@@ -124,6 +143,8 @@ ClockEstimate run_all(std::span<const Triangle> triangles, const FrameState& fra
   out.exact = true;
   out.windows = out.of = 1;
   out.triangles = out.triangles_at_cycle = triangles.size();
+  add_stretches(
+      windows, windows.count(), [](std::size_t i) { return i; }, out);
   return out;
 }
 
@@ -132,7 +153,7 @@ ClockEstimate run_all(std::span<const Triangle> triangles, const FrameState& fra
 ClockEstimate estimate_clocks(std::span<const Triangle> triangles, const FrameState& frame,
                               const Config& config, std::uint64_t seed) {
   const Windows windows(triangles, frame, config);
-  if (windows.count() < 2 * kWindows) return run_all(triangles, frame, config);
+  if (windows.count() < 2 * kWindows) return run_all(windows, triangles, frame, config);
   const std::size_t m = kWindows - 1;
   const std::vector<std::size_t> chosen = choose(m, windows.count() - 1, seed);
   ClockEstimate out;
@@ -141,7 +162,9 @@ ClockEstimate estimate_clocks(std::span<const Triangle> triangles, const FrameSt
   out.triangles = triangles.size();
   out.triangles_at_cycle = windows.length(0);
   for (const std::size_t window : chosen) out.triangles_at_cycle += windows.length(window);
-  if (2 * out.triangles_at_cycle > triangles.size()) return run_all(triangles, frame, config);
+  if (2 * out.triangles_at_cycle > triangles.size()) {
+    return run_all(windows, triangles, frame, config);
+  }
 
   std::vector<double> clocks, work;
   for (const std::size_t window : chosen) {
@@ -159,6 +182,8 @@ ClockEstimate estimate_clocks(std::span<const Triangle> triangles, const FrameSt
   out.clocks = windows.clocks(0) + ratio * windows.sum(windows.last(0), triangles.size());
   out.low = out.clocks - half;
   out.high = out.clocks + half;
+  add_stretches(
+      windows, kWindows, [&](std::size_t i) { return i == 0 ? 0 : chosen[i - 1]; }, out);
   return out;
 }
 

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "../config.hpp"
 #include "../packets.hpp"
@@ -23,6 +24,14 @@ struct ClockEstimate {
   std::uint64_t triangles_at_cycle = 0;  // warm-up included
   std::uint64_t triangles = 0;
   static constexpr double kConfidence = 0.95;
+
+  // A few stretches of what was run at level cycle, spread over the stream, each cut after some
+  // thousand clocks of work: for another model to run again from reset (fit/replay.hpp).
+  struct Stretch {
+    std::size_t begin = 0;  // triangles, as submitted
+    std::size_t end = 0;
+  };
+  std::vector<Stretch> stretches;
 };
 
 // The clocks of CycleModel::clocks() for the frame without stalls.

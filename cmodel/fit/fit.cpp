@@ -105,6 +105,43 @@ void compare_with_reference(const std::vector<FitView>& views, FitResult& result
   }
 }
 
+// `full` as the result is judged by: whatever is no saving is the result's.
+Config reference_of(const Config& config, const FitRanges& ranges) {
+  Config reference = kFull;
+  reference.subpixel_bits = config.subpixel_bits;
+  reference.samples = config.samples;
+  reference.snap = config.snap;
+  reference.viewport_bits = std::max(kFull.viewport_bits, ranges.viewport_bits);
+  reference.guard_bits = std::max(kFull.guard_bits, ranges.guard_bits);
+  return reference;
+}
+
+bool covers_a_sample(const FitView& view, const Config& config) {
+  RasterStats stats;
+  RunStats unused;
+  view.scene->draw(view.index, view.frame, config, unused, [&](const ShadedTriangle& shaded) {
+    if (stats.tiles_covered != 0) return;
+    rasterize(shaded.triangle, view.frame, config, stats, [](const CoverageTile&) {});
+  });
+  return stats.tiles_covered != 0;
+}
+
+// Nothing that is drawn needs nothing: whatever came out would be right and of no use.
+std::uint64_t count_empty(const std::vector<FitView>& views, const Config& config) {
+  const auto empty =
+      static_cast<std::size_t>(std::count_if(views.begin(), views.end(), [&](const FitView& view) {
+        return !covers_a_sample(view, config);
+      }));
+  if (empty == views.size()) {
+    throw Error(ErrorCode::kScene, views.front().place,
+                views.size() == 1 ? "no triangle covers a sample of the frame: nothing to fit to"
+                                  : fmt::format("no triangle covers a sample in any of the {} "
+                                                "views: nothing to fit to",
+                                                views.size()));
+  }
+  return empty;
+}
+
 }  // namespace
 
 double CoverageError::ppm() const {
@@ -116,7 +153,9 @@ FitResult fit(const std::vector<FitView>& views, const FitOptions& options) {
   FitResult result;
   result.config = options.base;
   Config wide = options.base;
-  wide.viewport_bits = fit_ranges(views, options.base).viewport_bits;
+  const FitRanges first = fit_ranges(views, options.base);
+  result.views_empty = count_empty(views, reference_of(options.base, first));
+  wide.viewport_bits = first.viewport_bits;
   if (options.max_error || (options.curves && has_fit_oracle())) {
     result.coverage = coverage_curve(views, wide, options.budget);
     if (options.max_error) {
@@ -140,12 +179,9 @@ FitResult fit(const std::vector<FitView>& views, const FitOptions& options) {
   result.config.grid_log2 = result.shapes[result.shape].grid_log2;
   result.config.setup_interval = result.shapes[result.shape].setup_interval;
 
-  result.reference = kFull;
-  result.reference.subpixel_bits = result.config.subpixel_bits;
-  result.reference.samples = result.config.samples;
-  result.reference.snap = result.config.snap;
-  result.reference.viewport_bits = std::max(kFull.viewport_bits, result.ranges.viewport_bits);
-  result.reference.guard_bits = std::max(kFull.guard_bits, result.ranges.guard_bits);
+  if (options.curves) result.fifos = fifo_uses(views, result.config);
+
+  result.reference = reference_of(result.config, result.ranges);
   compare_with_reference(views, result);
   return result;
 }

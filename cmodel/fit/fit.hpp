@@ -33,8 +33,7 @@ FrameState view_frame(const FitView& view, Cull cull);
 std::vector<FitView> fit_views(std::shared_ptr<const Scene> scene, const std::string& path,
                                Cull cull);
 
-// --- Ranges
-// ---------------------------------------------------------------------------------------
+// --- Ranges ---
 
 // What the snapped vertices of all views need, exactly: maxima over every submitted triangle.
 struct FitRanges {
@@ -55,8 +54,7 @@ FitRanges fit_ranges(const std::vector<FitView>& views, const Config& base);
 // base with the ranges put in.
 Config with_ranges(Config base, const FitRanges& ranges);
 
-// --- Accuracy
-// -------------------------------------------------------------------------------------
+// --- Accuracy ---
 
 // How a choice of bits does against real arithmetic.
 struct AccuracyPoint {
@@ -100,8 +98,7 @@ AttributeCurves attribute_curves(const std::vector<FitView>& views, const Config
 double attribute_error(const std::vector<FitView>& views, const Config& config,
                        std::uint64_t budget);
 
-// --- Shape
-// ----------------------------------------------------------------------------------------
+// --- Shape ---
 
 // --target: pixels per clock over all views, or frames per second at a clock rate for the slowest.
 struct FitTarget {
@@ -128,8 +125,24 @@ struct FitShape {
 std::vector<FitShape> fit_shapes(const std::vector<FitView>& views, const Config& config,
                                  const std::optional<FitTarget>& target);
 
-// --- All of it
-// ------------------------------------------------------------------------------------
+// --- FIFOs ---
+
+// One FIFO of two entries, over all views, without stalls.
+struct FifoUse {
+  int level = 0;                  // of the pyramid, 0 the root; the last one is coverage
+  std::uint64_t packets = 0;      // that went through
+  std::uint64_t waited = 0;       // of those, into the second entry, behind another
+  std::uint64_t both_clocks = 0;  // in which both entries held a packet
+};
+// The FIFOs of a configuration, root first, as level cycle fills them.
+struct FifoUses {
+  std::vector<FifoUse> fifo;
+  std::uint64_t clocks = 0;  // of all views
+};
+// Measured, not fitted: docs/02_use/fit.md says why. Cost: every view once at level cycle.
+FifoUses fifo_uses(const std::vector<FitView>& views, const Config& config);
+
+// --- All of it ---
 
 struct FitOptions {
   Config base;  // samples, attributes, snap mode, depth bits; subpixel bits when not chosen
@@ -152,10 +165,13 @@ struct FitResult {
   std::uint64_t samples_covered = 0;      // by the reference, all views
   std::uint64_t samples_different = 0;    // pixels' hit counts, summed: 0, or fit stops
   std::uint64_t triangles_no_sample = 0;  // of all views: they cover no sample
+  std::uint64_t views_empty = 0;          // views without a covered sample: fewer than all
+  std::optional<FifoUses> fifos;          // with `curves`
 };
 
-// Throws Error(kFitLimit) when no configuration keeps the limits, Error(kFitOracle) without CGAL,
-// and Error(kInternal) when the result does not draw what the reference draws.
+// Throws Error(kScene) when no view has a covered sample, Error(kFitLimit) when no configuration
+// keeps the limits, Error(kFitOracle) without CGAL, and Error(kInternal) when the result does not
+// draw what the reference draws.
 FitResult fit(const std::vector<FitView>& views, const FitOptions& options);
 
 }  // namespace halfspace

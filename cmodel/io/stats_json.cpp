@@ -39,6 +39,22 @@ nlohmann::ordered_json savings_json(const RunStats& stats) {
   return json;
 }
 
+nlohmann::ordered_json prediction_json(const RunStats::Prediction& p) {
+  nlohmann::ordered_json rtl;
+  rtl["available"] = p.rtl.available;
+  rtl["windows"] = p.rtl.windows;
+  rtl["clocks"] = p.rtl.clocks;
+  rtl["packets"] = p.rtl.packets;
+  if (p.rtl.available) rtl["identical"] = p.rtl.mismatch.empty();
+  if (!p.rtl.mismatch.empty()) rtl["mismatch"] = p.rtl.mismatch;
+  return {{"clocks", p.clocks},
+          {"low", p.low},
+          {"high", p.high},
+          {"confidence", p.confidence},
+          {"triangles_at_cycle", p.triangles_at_cycle},
+          {"rtl", rtl}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json stats_json(const RunStats& stats, const Config& config) {
@@ -69,13 +85,7 @@ nlohmann::ordered_json stats_json(const RunStats& stats, const Config& config) {
   json["fragments"] = r.fragments;
   json["fragments_shaded"] = r.fragments_shaded;
   if (stats.cycles) json["cycles"] = *stats.cycles;
-  if (stats.predicted) {
-    json["cycles_predicted"] = {{"clocks", stats.predicted->clocks},
-                                {"low", stats.predicted->low},
-                                {"high", stats.predicted->high},
-                                {"confidence", stats.predicted->confidence},
-                                {"triangles_at_cycle", stats.predicted->triangles_at_cycle}};
-  }
+  if (stats.predicted) json["cycles_predicted"] = prediction_json(*stats.predicted);
   json["savings"] = savings_json(stats);
   json["coordinates_resnapped"] = stats.resnapped;
   json["coverage_crc32"] = stats.crc;

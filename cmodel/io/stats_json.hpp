@@ -28,6 +28,15 @@ struct RunStats {
   struct Prediction {
     double clocks = 0, low = 0, high = 0, confidence = 0;
     std::uint64_t triangles_at_cycle = 0;
+    // Some of the windows again on the RTL, compared with level cycle in bits and clocks.
+    struct Rtl {
+      bool available = false;  // this build has the RTL of the configuration
+      std::uint64_t windows = 0;
+      std::uint64_t clocks = 0;
+      std::uint64_t packets = 0;
+      std::string mismatch;  // the first difference; empty: none
+    };
+    Rtl rtl;
   };
   std::optional<Prediction> predicted;
   std::uint32_t crc = 0;        // CRC-32 of the hit counts of all frames, in order
