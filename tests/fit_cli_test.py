@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -11,6 +12,7 @@ import unittest
 PROGRAM = os.environ["HALFSPACE"]
 TESTS = pathlib.Path(os.environ["HALFSPACE_TESTS"])
 SCENES = TESTS / "scenes"
+HAS_RTL = os.environ.get("HALFSPACE_HAS_RTL") == "ON"
 TEAPOT = SCENES / "teapot.obj"
 
 
@@ -96,12 +98,46 @@ class FitCli(unittest.TestCase):
         self.assertTrue(os.access(rtl / "cosim.sh", os.X_OK))
         self.succeed("config", "--config", rtl / "config.json")
 
+    def test_cosim_ends_in_the_report(self):
+        # Tools that do nothing, and a program that says what the RTL of a full run would say.
+        tools = self.out / "bin"
+        tools.mkdir()
+        program = ('#!/bin/sh\\nfor last; do :; done\\n'
+                   'echo "$FAKE_STATS" > "$last"\\nexit $FAKE_STATUS')
+        fake = (f"mkdir -p build/cmodel; printf '{program}\\n' > build/cmodel/halfspace\n"
+                "chmod +x build/cmodel/halfspace")
+        for name, text in (("verilator", ""), ("yosys", "exit $FAKE_YOSYS"), ("cmake", fake)):
+            (tools / name).write_text(f"#!/bin/sh\n{text}\n")
+            (tools / name).chmod(0o755)
+        run = {"identical": True, "stall": 0.3, "seed": 1, "cases": 1, "cases_skipped": 0,
+               "triangles": 992, "packets_compared": 14338, "cycles": 6370}
+        for identical, status, yosys, expected in ((True, 0, 0, 0), (False, 1, 0, 1),
+                                                   (True, 0, 1, 2)):
+            env = {**os.environ, "PATH": f"{tools}:{os.environ['PATH']}", "FAKE_YOSYS": str(yosys),
+                   "FAKE_STATS": json.dumps({**run, "identical": identical}),
+                   "FAKE_STATUS": str(status)}
+            done = subprocess.run([PROGRAM, "fit", TEAPOT, "--size", "160x120", "--emit-rtl",
+                                   self.out / "rtl", "--report", self.out / "report", "--cosim"],
+                                  env=env, capture_output=True, text=True, timeout=300)
+            self.assertEqual(done.returncode, expected, done.stdout + done.stderr)
+            data = json.loads((self.out / "report/report.json").read_text())
+            page = (self.out / "report/index.html").read_text()
+            if expected == 2:
+                self.assertRegex(done.stderr, r"error\[HS025\]: --cosim: .*cosim.sh failed")
+                self.assertNotIn("cosim", data)
+                continue
+            self.assertEqual(data["cosim"], [{**run, "identical": identical}])
+            self.assertIn("RTL and model identical in bits and clocks: 992 triangles, 14338 packets"
+                          if identical else "RTL and model DIFFER", page)
+
     def test_the_report_shows_curves_and_choices(self):
         report = self.out / "report"
         done = self.succeed("fit", TEAPOT, "--size", "160x120", "--max-error", 2000, "--report",
                             report, "--out", self.out / "c.json")
         page = (report / "index.html").read_text()
-        self.assertGreaterEqual(page.count("<svg"), 5)
+        self.assertEqual(page.count("<svg"), 7)
+        for bits in ("subpixel bit", "bit of the longest edge", "bit of the frame's side"):
+            self.assertIn(f"What each {bits} costs (estimated)", page)
         data = json.loads((report / "report.json").read_text())
         curve = data["coverage_error"]["curve"]
         self.assertEqual([p["subpixel_bits"] for p in curve], list(range(13)))
@@ -111,6 +147,10 @@ class FitCli(unittest.TestCase):
         self.assertEqual(data["samples_different_from_reference"], 0)
         self.assertEqual(sum(s["chosen"] for s in data["shapes"]), 1)
         self.assertIn("samples differ from full", done.stdout)
+        self.assertEqual([f["level"] for f in data["fifos"]["fifo"]],
+                         [2, 0] if data["widths"]["fitted"]["levels"] == 3 else [1, 3])
+        self.assertEqual(data["fifos"]["clocks"],
+                         next(s["clocks"] for s in data["shapes"] if s["chosen"]))
 
     def test_what_cannot_be_is_refused(self):
         fit = ["fit", TEAPOT, "--size", "160x120", "--out", self.out / "c.json"]
@@ -125,6 +165,15 @@ class FitCli(unittest.TestCase):
         self.refuse("HS025", "fit", TEAPOT, "--emit-rtl", self.out / "e", "--source", self.out)
         self.refuse("HS030", "fit", TEAPOT, "--out", self.out / "no/such/c.json")
 
+    def test_a_view_of_nothing_is_refused(self):
+        away = ["--eye", "0,0,1000", "--look-at", "0,0,2000", "--size", "160x120"]
+        for more in ([], ["--orbit", 3], ["--max-error", 1000, "--target", "1px/clk"]):
+            self.refuse("HS041", "fit", TEAPOT, *away, *more, "--out", self.out / "c.json",
+                        "--emit-rtl", self.out / "rtl", says="no triangle covers a sample")
+        outside = self.out / "outside.tcov"
+        outside.write_text("TCOV 1 1\ncase 0 x 16 16 1 0 0 0\n8000 8000 8512 8000 8000 8512\n")
+        self.refuse("HS041", "fit", outside, "--out", self.out / "c.json")
+
     def test_level_auto_predicts_the_clocks_of_level_cycle(self):
         bunny = [SCENES / "bunny.obj", "--size", "1920x1080"]
         stats = {}
@@ -137,12 +186,37 @@ class FitCli(unittest.TestCase):
         self.assertLessEqual(predicted["low"], stats["cycle"]["cycles"])
         self.assertGreaterEqual(predicted["high"], stats["cycle"]["cycles"])
         self.assertLess(predicted["triangles_at_cycle"], stats["cycle"]["triangles"] / 2)
+        self.check_rtl_windows(predicted["rtl"])
         self.assertEqual(stats["auto"]["coverage_crc32"], stats["cycle"]["coverage_crc32"])
         tcov = self.out / "out.tcov"
         self.succeed("coverage", TESTS / "data/public.tcov", "--level", "auto", "--config", "d3d",
                      "--out", tcov, "--stats", self.out / "t.json")
         predicted = json.loads((self.out / "t.json").read_text())["cycles_predicted"]
         self.assertGreater(predicted["clocks"], 200_000)
+
+    def check_rtl_windows(self, rtl):
+        self.assertEqual(rtl["available"], HAS_RTL)
+        if HAS_RTL:
+            self.assertEqual(rtl["windows"], 12)
+            self.assertGreater(rtl["clocks"], 1000)
+            self.assertGreater(rtl["packets"], rtl["clocks"])
+            self.assertTrue(rtl["identical"])
+        else:
+            self.assertEqual((rtl["windows"], rtl["clocks"], rtl["packets"]), (0, 0, 0))
+
+    def test_level_auto_says_whether_the_rtl_confirms_it(self):
+        plain = json.loads(self.succeed("config", "--config", "full").stdout)
+        odd = self.out / "odd.json"
+        odd.write_text(json.dumps({**plain, "subpixel_bits": 3}))  # never verilated
+        for config, has in (("full", HAS_RTL), (odd, False)):
+            stats = self.out / "s.json"
+            done = self.succeed("render", TEAPOT, "--size", "160x120", "--level", "auto", "--shade",
+                                "coverage", "--config", config, "--out", self.out / "p.png",
+                                "--stats", stats)
+            rtl = json.loads(stats.read_text())["cycles_predicted"]["rtl"]
+            self.assertEqual(rtl["available"], has)
+            self.assertIn("12 windows" if has else "the RTL of this configuration is not in this "
+                          "build", done.stderr)
 
     def test_savings_change_no_bit_of_the_picture(self):
         stats, picture = {}, {}
@@ -172,6 +246,17 @@ class FitCli(unittest.TestCase):
     def test_area_is_printed_for_any_configuration(self):
         area = json.loads(self.succeed("config", "--area", "--config", "full").stdout)
         self.assertAlmostEqual(area["luts"], 25309, delta=0.04 * 25309)
+        self.assertIn("luts = lut4 + 2 ccu2c", area["unit"])
+        self.assertAlmostEqual(area["luts"], area["lut4"] + 2 * area["ccu2c"], delta=2)
+
+    def test_the_package_of_a_configuration_is_that_of_the_rtl(self):
+        values = []
+        for text in (self.succeed("config", "--package", "--config", "tiny").stdout,
+                     (TESTS.parent / "rtl/config/tiny/hs_config_pkg.sv").read_text()):
+            code = re.sub(r"//.*", "", text)
+            values.append(re.findall(r"`define HS_(\w+) (\d+)|localparam int (\w+)", code))
+        self.assertEqual(len(values[0]), 16)
+        self.assertEqual(values[0], values[1])
 
 
 if __name__ == "__main__":

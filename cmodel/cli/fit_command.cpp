@@ -146,7 +146,27 @@ std::string command_text(const FitArguments& a) {
   return text + camera;
 }
 
-void run_fit(const FitArguments& a) {
+void write_reports(const FitArguments& a, const FitReport& report) {
+  if (a.report.empty()) return;
+  fs::create_directories(a.report);
+  write_text(fs::path(a.report) / "report.json", fit_report_json(report).dump(2) + "\n");
+  write_text(fs::path(a.report) / "index.html", fit_report_html(report));
+}
+
+// --cosim: false when the RTL and the model differ, which cosim has said.
+bool run_cosim_script(const FitArguments& a, FitReport& report) {
+  const fs::path folder = fs::absolute(a.emit);
+  const bool good = std::system(quoted((folder / "cosim.sh").string()).c_str()) == 0;
+  bool identical = true;
+  for (std::size_t i = 0; i < a.scenes.size() && fs::exists(folder / emitted_stats(i)); ++i) {
+    report.cosim.push_back(read_json(folder / emitted_stats(i)));
+    identical = identical && report.cosim.back().at("identical").get<bool>();
+  }
+  if (good || !identical) return identical;
+  throw Error(ErrorCode::kFitTool, "--cosim", (folder / "cosim.sh").string() + " failed");
+}
+
+int run_fit(const FitArguments& a) {
   check(a);
   const FitOptions options = fit_options(a);
   const std::vector<FitView> views = open_views(a, 0);
@@ -157,21 +177,22 @@ void run_fit(const FitArguments& a) {
                    .views = views.size(),
                    .measured = {},
                    .lod = {},
-                   .measured_full = {}};
+                   .measured_full = {},
+                   .cosim = {}};
   if (a.simplify > 0) report.lod = compare_lod(views, open_views(a, a.simplify));
   if (!a.emit.empty()) emit_rtl(a.emit, a.source, result.config, emit_runs(a));
   if (a.synth) synthesise(a, report);
-  if (!a.report.empty()) {
-    fs::create_directories(a.report);
-    write_text(fs::path(a.report) / "report.json", fit_report_json(report).dump(2) + "\n");
-    write_text(fs::path(a.report) / "index.html", fit_report_html(report));
-  }
+  write_reports(a, report);
   if (!a.out.empty()) write_text(a.out, config_json(result.config).dump(2) + "\n");
   fmt::print("{}", fit_summary(report));
+  if (!a.out.empty()) fmt::print("wrote {}\n", a.out);
+  if (!a.emit.empty()) fmt::print("wrote {0}: RTL, and {0}/cosim.sh to check it\n", a.emit);
+  if (!a.report.empty()) fmt::print("wrote {}/index.html\n", a.report);
   std::fflush(stdout);
-  if (a.cosim && std::system(quoted((fs::absolute(a.emit) / "cosim.sh").string()).c_str()) != 0) {
-    throw Error(ErrorCode::kFitTool, "--cosim", a.emit + "/cosim.sh failed");
-  }
+  if (!a.cosim) return 0;
+  const bool identical = run_cosim_script(a, report);
+  write_reports(a, report);
+  return identical ? 0 : 1;
 }
 
 }  // namespace
@@ -223,10 +244,7 @@ Action add_fit_command(CLI::App& program) {
       "A scene or view that was not given may be refused by the configuration (HS022).\n"
       "Example: halfspace fit tests/scenes/teapot.obj --size 320x240 --max-error 1000 "
       "--emit-rtl out/fit");
-  return [a] {
-    run_fit(*a);
-    return 0;
-  };
+  return [a] { return run_fit(*a); };
 }
 
 }  // namespace halfspace

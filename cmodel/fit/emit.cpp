@@ -65,6 +65,7 @@ cd "$(dirname "$0")"
 here=$(pwd)
 )SH";
   text += "source=" + quoted(source) + R"SH(
+rm -f cosim_*.json
 checkers=$(sed 's|^|rtl/checkers/|' rtl/checkers/checkers.f)
 verilator --lint-only -Wall --assert --top-module hs_rasterizer rtl/hs_lint.vlt \
   $(cat files.f) $checkers
@@ -74,20 +75,24 @@ hierarchy -check -top hs_rasterizer
 proc
 check -assert"
 echo 'yosys check: no problem'
+echo 'building halfspace with this RTL (minutes; log: build.log)'
 {
   cmake -S "$source" -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DHALFSPACE_TESTS=OFF \
-    -DHALFSPACE_RTL=ON -DHALFSPACE_RTL_CONFIGS=none "-DHALFSPACE_RTL_EXTRA=$here" &&
+    -DHALFSPACE_LAB=OFF -DHALFSPACE_RTL=ON -DHALFSPACE_RTL_CONFIGS=none "-DHALFSPACE_RTL_EXTRA=$here" &&
   cmake --build build --target halfspace
 } > build.log 2>&1 || { cat build.log >&2; exit 1; }
 )SH";
-  for (const EmitRun& run : runs) {
-    text += fmt::format("build/cmodel/halfspace cosim {}{} --config config.json --stall 0.3\n",
-                        quoted(fs::absolute(run.scene).string()), run.options);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    text += fmt::format(
+        "build/cmodel/halfspace cosim {}{} --config config.json --stall 0.3 --stats {}\n",
+        quoted(fs::absolute(runs[i].scene).string()), runs[i].options, emitted_stats(i));
   }
   return text;
-}  // namespace halfspace
+}
 
 }  // namespace
+
+std::string emitted_stats(std::size_t run) { return fmt::format("cosim_{}.json", run); }
 
 std::string quoted(const std::string& text) {
   std::string out = "'";

@@ -16,10 +16,14 @@ struct EmitRun {
 
 // Writes a configuration's RTL into `folder`, which is created: config.json, hs_config_pkg.sv,
 // rtl/ (a copy of `source`/rtl), files.f (what to compile, in order) and cosim.sh, which lints,
-// builds the program with this RTL and compares it with the model on the runs. source: the
+// builds the program with this RTL and compares it with the model on the runs; each leaves its
+// statistics in emitted_stats(). source: the
 // project's source tree. Throws Error(kFileWrite), Error(kFitTool) when the source is not there.
 void emit_rtl(const std::string& folder, const std::string& source, const Config& config,
               const std::vector<EmitRun>& runs);
+
+// The file of run number `run`, in the emitted folder: what halfspace cosim --stats writes.
+std::string emitted_stats(std::size_t run);
 
 // Runs a command of the shell, its output into `log`. Throws Error(kFitTool) naming `what` and the
 // log when it fails.

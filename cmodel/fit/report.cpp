@@ -65,6 +65,17 @@ Json shapes_json(const FitResult& result) {
   return shapes;
 }
 
+Json fifos_json(const FifoUses& uses) {
+  Json list = Json::array();
+  for (const FifoUse& use : uses.fifo) {
+    list.push_back({{"level", use.level},
+                    {"packets", use.packets},
+                    {"waited", use.waited},
+                    {"both_entries_clocks", use.both_clocks}});
+  }
+  return {{"clocks", uses.clocks}, {"fifo", list}};
+}
+
 const char* promise(const FitRanges& ranges) {
   if (ranges.cut_anyway) {
     return "A triangle reaches the eye's plane or beyond every guard band, so triangles are cut at "
@@ -110,6 +121,7 @@ Json fit_report_json(const FitReport& report) {
   Json json;
   json["command"] = report.command;
   json["views"] = report.views;
+  json["views_empty"] = r.views_empty;
   json["triangles"] = ranges.triangles;
   json["triangles_no_sample"] = r.triangles_no_sample;
   json["config"] = config_json(r.config);
@@ -138,7 +150,8 @@ Json fit_report_json(const FitReport& report) {
     area["step"] = step.name;
     steps.push_back(area);
   }
-  json["area"] = {{"estimated_full", area_json(area_estimate(kFull))},
+  json["area"] = {{"unit", kAreaUnit},
+                  {"estimated_full", area_json(area_estimate(kFull))},
                   {"estimated", area_json(area_estimate(r.config))},
                   {"luts_error_percent", kAreaErrorPercent},
                   {"ff_error_percent", kFlipFlopErrorPercent},
@@ -152,6 +165,15 @@ Json fit_report_json(const FitReport& report) {
   }
   if (report.measured) json["area"]["measured"] = *report.measured;
   if (report.measured_full) json["area"]["measured_full"] = *report.measured_full;
+  if (r.fifos) json["fifos"] = fifos_json(*r.fifos);
+  for (const Json& run : report.cosim) {
+    Json some;
+    for (const char* key : {"identical", "stall", "seed", "cases", "cases_skipped", "triangles",
+                            "packets_compared", "cycles"}) {
+      some[key] = run.at(key);
+    }
+    json["cosim"].push_back(some);
+  }
   return json;
 }
 
@@ -175,6 +197,11 @@ std::string fit_summary(const FitReport& report) {
   row("LUT4 + 2 CCU2C, estimated", std::llround(full.luts()), std::llround(fitted.luts()));
   row("flip-flops, estimated", std::llround(full.flip_flops), std::llround(fitted.flip_flops));
   row("MULT18, estimated", std::llround(full.multipliers), std::llround(fitted.multipliers));
+  const auto share = [&out](const char* tool, double before, double after) {
+    out += fmt::format("{:<38}{:>8.0f} %\n", fmt::format("LUT4 + 2 CCU2C of full's, {}", tool),
+                       100 * after / before);
+  };
+  if (!report.measured) share("estimated", full.luts(), fitted.luts());
   if (report.measured) {
     const auto measured = [&](const char* key) {
       return std::pair(report.measured_full ? report.measured_full->at(key).dump() : "-",
@@ -186,10 +213,17 @@ std::string fit_summary(const FitReport& report) {
       const auto [before, after] = measured(key);
       row(name, before, after);
     }
+    if (report.measured_full) {
+      share("yosys", report.measured_full->at("luts"), report.measured->at("luts"));
+    }
   }
   const FitShape& shape = r.shapes[r.shape];
   out += fmt::format("{} clocks for {} view{}, {:.2f} px/clk\n", shape.clocks, report.views,
                      report.views == 1 ? "" : "s", shape.pixels_per_clock());
+  if (r.views_empty != 0) {
+    out += fmt::format("{} of {} views are empty: they ask for nothing\n", r.views_empty,
+                       report.views);
+  }
   out += fmt::format("{} of {} samples differ from full at {} subpixel bits\n", r.samples_different,
                      r.samples_covered, c.subpixel_bits);
   if (r.coverage) {
@@ -207,6 +241,12 @@ std::string fit_summary(const FitReport& report) {
     out += fmt::format("simplified: {} of {} triangles, {} of {} covered pixels wrong\n",
                        report.lod->triangles_after, report.lod->triangles_before,
                        report.lod->pixels_wrong, report.lod->pixels_covered);
+  }
+  for (const Json& run : report.cosim) {
+    out += fmt::format("RTL and model {}: {} triangles, {} packets in {} clocks\n",
+                       run.at("identical").get<bool>() ? "identical in bits and clocks" : "DIFFER",
+                       run.at("triangles").dump(), run.at("packets_compared").dump(),
+                       run.at("cycles").dump());
   }
   return out;
 }

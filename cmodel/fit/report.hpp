@@ -20,6 +20,7 @@ struct FitReport {
   std::optional<nlohmann::ordered_json> measured;  // --synth: yosys's figures of the configuration
   std::optional<LodError> lod;                     // --simplify
   std::optional<nlohmann::ordered_json> measured_full;  // and those of `full`
+  std::vector<nlohmann::ordered_json> cosim;            // --cosim: statistics of each run
 };
 
 // The estimated area on the way from `full` to the result, one choice after the other.

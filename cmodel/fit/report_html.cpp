@@ -35,10 +35,15 @@ std::string escaped(const std::string& text) {
 
 // A line chart, 420 x 240, axis labels at its ends and at the chosen point.
 std::string svg(const Chart& chart) {
-  constexpr double kLeft = 60, kRight = 400, kTop = 30, kBottom = 200;
+  constexpr double kLeft = 75, kRight = 400, kTop = 30, kBottom = 200;
   if (chart.points.size() < 2) return "";
+  // 0 has no logarithm: it is drawn a decade below the least of the others.
+  double least = chart.limit > 0 ? chart.limit : 1e30;
+  for (const ChartPoint& p : chart.points) {
+    if (p.y > 0) least = std::min(least, p.y);
+  }
   const auto height = [&](double y) {
-    return chart.logarithmic ? std::log10(std::max(y, 1e-3)) : y;
+    return chart.logarithmic ? std::log10(std::max(y, least / 10)) : y;
   };
   double low = 1e30, high = -1e30;
   for (const ChartPoint& p : chart.points) {
@@ -50,7 +55,11 @@ std::string svg(const Chart& chart) {
     high = std::max(high, height(chart.limit));
   }
   if (!chart.logarithmic) low = std::min(low, 0.0);
-  if (high <= low) high = low + 1;
+  if (high - low < 1) {  // less than a decade is no slope
+    const double middle = (high + low) / 2;
+    low = middle - 0.5;
+    high = middle + 0.5;
+  }
   const double x0 = chart.points.front().x, x1 = chart.points.back().x;
   const auto px = [&](double x) { return kLeft + (kRight - kLeft) * (x - x0) / (x1 - x0); };
   const auto py = [&](double y) {
@@ -76,10 +85,14 @@ std::string svg(const Chart& chart) {
         px(p.x), py(p.y), py(p.y) - 10, p.y);
   }
   out += fmt::format("<path d='{}' fill='none' stroke='#2a6'/>", line);
-  for (const ChartPoint& p : {chart.points.front(), chart.points.back()}) {
-    out += fmt::format("<text x='{}' y='{:.1f}' text-anchor='end'>{:.3g}</text>", kLeft - 5,
-                       py(p.y) + 4, p.y);
-  }
+  const ChartPoint &first = chart.points.front(), &last = chart.points.back();
+  const auto label = [&](const ChartPoint& p) {
+    return fmt::format("<text x='{}' y='{:.1f}' text-anchor='end'>{}</text>", kLeft - 5,
+                       py(p.y) + 4,
+                       p.y < 100 ? fmt::format("{:.3g}", p.y) : fmt::format("{:.0f}", p.y));
+  };
+  out += label(first);
+  if (std::abs(py(first.y) - py(last.y)) > 12) out += label(last);
   if (chart.limit > 0) {
     out += fmt::format(
         "<path d='M{0} {2:.1f}H{1}' stroke='#c22' stroke-dasharray='4 3'/>"
@@ -99,15 +112,50 @@ std::vector<ChartPoint> points_of(const std::vector<AccuracyPoint>& curve) {
   return points;
 }
 
+// The estimated area by the bits of one field, the others as fitted.
+std::string cost_chart(const Config& fitted, const std::string& of, const std::string& name,
+                       int Config::*field, int from, int to) {
+  std::vector<ChartPoint> luts;
+  for (int bits = from; bits <= to; ++bits) {
+    Config config = fitted;
+    config.*field = bits;
+    luts.push_back({bits, std::round(area_estimate(config).luts())});
+  }
+  return svg({fmt::format("What each {} costs (estimated)", of), name, "LUT4 + 2 CCU2C", luts,
+              fitted.*field, 0, false});
+}
+
+std::string cost_charts(const Config& fitted) {
+  std::string out =
+      cost_chart(fitted, "subpixel bit", "subpixel_bits", &Config::subpixel_bits, 0, 12);
+  if (fitted.extent_bits != 0) {
+    out += cost_chart(fitted, "bit of the longest edge", "extent_bits", &Config::extent_bits, 1,
+                      fitted.viewport_bits);
+  }
+  return out + cost_chart(fitted, "bit of the frame's side", "viewport_bits",
+                          &Config::viewport_bits,
+                          std::max(fitted.extent_bits, fitted.guard_bits == 0 ? 5 : 12),
+                          fitted.guard_bits == 0 ? 12 : fitted.guard_bits);
+}
+
+std::string fifo_table(const FitResult& result) {
+  if (!result.fifos || result.fifos->clocks == 0) return "";
+  std::string out =
+      "<h2>FIFOs</h2>\n<p>Two entries each, at level cycle without stalls; not fitted: "
+      "docs/02_use/fit.md says why.</p>\n<table><tr><th>in front of level</th><th>packets</th>"
+      "<th>into the second entry</th><th>clocks with both full</th></tr>\n";
+  for (const FifoUse& use : result.fifos->fifo) {
+    out += fmt::format(
+        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{:.1f} %</td></tr>\n", use.level, use.packets,
+        use.waited,
+        100 * static_cast<double>(use.both_clocks) / static_cast<double>(result.fifos->clocks));
+  }
+  return out + "</table>\n";
+}
+
 std::string coverage_charts(const FitReport& report) {
   const FitResult& r = report.result;
   std::string out;
-  std::vector<ChartPoint> luts;
-  for (int s = 0; s <= 12; ++s) {
-    Config config = r.config;
-    config.subpixel_bits = s;
-    luts.push_back({s, std::round(area_estimate(config).luts())});
-  }
   if (r.coverage) {
     std::vector<ChartPoint> ppm;
     for (int s = 0; s <= 12; ++s) {
@@ -117,8 +165,7 @@ std::string coverage_charts(const FitReport& report) {
         svg({"Coverage error against unsnapped vertices", "subpixel bits", "ppm of covered samples",
              ppm, r.config.subpixel_bits, report.options.max_error.value_or(0)});
   }
-  return out + svg({"What each subpixel bit costs (estimated)", "subpixel bits", "LUT4 + 2 CCU2C",
-                    luts, r.config.subpixel_bits, 0, false});
+  return out;
 }
 
 std::string attribute_charts(const FitReport& report) {
@@ -177,12 +224,14 @@ std::string fit_report_html(const FitReport& report) {
       "td,th{{padding:2px 10px;text-align:left}}.bar{{background:#2a6;height:10px;"
       "display:inline-block}}.chosen{{background:#fdd}}</style></head><body>\n"
       "<h1>halfspace fit</h1>\n<p><code>{}</code></p>\n<pre>{}</pre>\n<p>{}</p>\n"
-      "<h2>Coverage</h2>\n{}{}<h2>Area by feature</h2>\n<p>Estimated, each row with all rows above "
-      "it; error of the estimate {:g} % (flip-flops {:g} %).</p>\n{}<h2>Shapes</h2>\n{}"
+      "<h2>Coverage</h2>\n{}{}<h2>What each bit costs</h2>\n{}<h2>Area by "
+      "feature</h2>\n<p>Estimated, each row with all rows above "
+      "it; error of the estimate {:g} % (flip-flops {:g} %).</p>\n{}<h2>Shapes</h2>\n{}{}"
       "</body></html>\n",
       escaped(report.command), escaped(fit_summary(report)), escaped(promise),
-      coverage_charts(report), attribute_charts(report), kAreaErrorPercent, kFlipFlopErrorPercent,
-      step_table(report.result), shape_table(report.result));
+      coverage_charts(report), attribute_charts(report), cost_charts(report.result.config),
+      kAreaErrorPercent, kFlipFlopErrorPercent, step_table(report.result),
+      shape_table(report.result), fifo_table(report.result));
 }
 
 }  // namespace halfspace
