@@ -62,6 +62,13 @@ std::int64_t node_greatest(const Config& config, int level) {
 
 }  // namespace
 
+int first_area_bit(const Config& config) { return 2 * config.subpixel_bits + 2; }
+
+int last_area_bit(const Config& config) {
+  const auto side = static_cast<std::uint64_t>(config.extent_max());
+  return static_cast<int>(std::bit_width(side * side)) - 1;
+}
+
 int wind_of(EdgeSlope slope) {
   const std::int64_t a = slope.a;
   const std::int64_t b = slope.b;
@@ -254,6 +261,10 @@ class BinWriter {
   void width_groups(BinModel::Groups& g) {
     g.slope = add("width.", {"a.max", "a.min", "b.max", "b.min"});
     g.area = add("width.area.", {"cw", "ccw"});
+    const int first = first_area_bit(config_);
+    Labels bits;
+    for (int i = first; i <= last_area_bit(config_); ++i) bits.push_back(fmt::format("{}", i));
+    g.area_bit = add("area.bit", bits);
     g.vertex = add("width.vertex", cross(numbers(3, ""), {"x.min", "x.max", "y.min", "y.max"}));
     g.corner = add("corner.", {"nw", "ne", "sw", "se"});
     const bool guard = config_.has_guard_band();

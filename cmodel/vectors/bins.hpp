@@ -80,6 +80,7 @@ class BinModel {
     std::size_t saturate = 0;  // level 0.. x edge
     std::size_t slope = 0;     // a.max a.min b.max b.min
     std::size_t area = 0;      // cw ccw
+    std::size_t area_bit = 0;  // first_area_bit .. last_area_bit
     std::size_t vertex = 0;    // vertex x (x.min x.max y.min y.max)
     std::size_t corner = 0;    // nw ne sw se: a vertex there
     std::size_t corners = 0;   // three of them: all but nw, ne, sw, se
@@ -95,6 +96,11 @@ class BinModel {
   Groups groups_;
   std::vector<int> phases_;
 };
+
+// Twice the area of a triangle, in subpixels squared, as a power of two: the exponents that have a
+// bin. From legs of 2 px, which hold a sample, to the greatest area in the legal square.
+int first_area_bit(const Config& config);
+int last_area_bit(const Config& config);
 
 // Which way an edge's inside lies: sixteen winds, 0 = E (a > 0, b = 0), clockwise as seen (y down):
 // even multiples of two are axes, odd ones diagonals, odd numbers the octants between.

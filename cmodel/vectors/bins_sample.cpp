@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 
 #include "bins_sampler.hpp"
@@ -122,6 +123,13 @@ void TriangleSampler::sample_widths() {
   // The top magnitude bit of the area.
   if (std::abs(area_) >= std::int64_t{1} << (config_.area_bits() - 2)) {
     hits_.add(g_.area + (area_ < 0));
+  }
+  // One bit of it alone: nothing else tells the area from 0.
+  const auto twice = static_cast<std::uint64_t>(std::abs(area_));
+  const int bit = std::countr_zero(twice);
+  if (std::has_single_bit(twice) && bit >= first_area_bit(config_) &&
+      bit <= last_area_bit(config_)) {
+    hits_.add(g_.area_bit + index(bit - first_area_bit(config_)));
   }
   unsigned corners = 0;
   for (std::size_t k = 0; k < 3; ++k) {

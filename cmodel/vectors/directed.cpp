@@ -2,6 +2,7 @@
 #include "directed.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "samples.hpp"
@@ -24,7 +25,7 @@ class Director {
         one_(std::int64_t{1} << config.subpixel_bits) {}
 
   std::vector<Triangle> make() {
-    switch (random_.in(0, 10)) {
+    switch (random_.in(0, 11)) {
       case 0: return {pin()};
       case 1: return tied_pair();
       case 2: return {on_samples()};
@@ -35,6 +36,7 @@ class Director {
       case 7: return {degenerate()};
       case 8: return {upright()};
       case 9: return {crossing()};
+      case 10: return {power_of_two()};
       default: {
         const auto shape = static_cast<std::size_t>(random_.in(0, kShapes.size() - 1));
         return {random_triangle(random_, kShapes[shape], frame_, config_)};
@@ -191,6 +193,25 @@ class Director {
     const Point a = legal(x + near(reach), y + near(reach));
     const Point b = legal(x + near(reach), y + near(reach));
     return triangle(a, b, legal(x + near(reach), y + near(reach)));
+  }
+
+  // Around a sample, twice the area a power of two: a right angle, or sheared, which reaches more.
+  Triangle power_of_two() {
+    const Step s = sample();
+    const std::int64_t low = config_.coordinate_min(), high = config_.coordinate_max();
+    const std::int64_t along = random_.in(0, 3) == 0 ? 3 : 1, across = along / 2;
+    const auto most = static_cast<std::uint64_t>(config_.extent_max() / along);
+    const auto leg = [&] { return std::int64_t{1} << random_.in(0, std::bit_width(most) - 1); };
+    const std::int64_t a = leg(), b = leg(), part = random_.in(0, 3);
+    const std::int64_t u = random_.in(0, 1) == 0 ? -1 : 1;
+    const std::int64_t v = random_.in(0, 1) == 0 ? -1 : 1;
+    const Step d{u * along * a, v * across * a}, e{u * across * b, v * along * b};
+    const auto place = [&](std::int64_t at, std::int64_t first, std::int64_t second) {
+      const auto [least, greatest] = std::minmax({std::int64_t{0}, first, second});
+      return std::clamp(at - part * (first + second) / 8, low - least, high - greatest);
+    };
+    const std::int64_t x = place(s.x, d.x, e.x), y = place(s.y, d.y, e.y);
+    return triangle(legal(x, y), legal(x + d.x, y + d.y), legal(x + e.x, y + e.y));
   }
 
   // A vertex with a phase next to 0, 1/2 or 1.
