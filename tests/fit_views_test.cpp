@@ -28,11 +28,13 @@ CameraOptions turned_away() {
 }
 
 // The same large triangle again and again: while the first hands its children down, everything
-// before it fills. Registers 2, 3 and 4 of level 0 hold a triangle each and its
-// FIFO two, so the fifth is the first that waits behind another.
+// before it fills. Registers 2, 3 and 4 of level 0 hold a triangle each and its FIFO two, so the
+// fifth is the first that waits behind another.
 TEST(FitFifos, TheSecondEntryIsUsedWhenAllBeforeItIsFull) {
   const std::string path = testing::TempDir() + "fifos.tcov";
-  for (const auto& [triangles, waited] : {std::pair(4, 0), std::pair(5, 1), std::pair(6, 2)}) {
+  FifoUses before;  // of one triangle fewer
+  for (const auto& [triangles, waited] :
+       {std::pair(4, 0), std::pair(5, 1), std::pair(6, 2), std::pair(7, 3), std::pair(8, 4)}) {
     std::string text = "TCOV 1 1\ncase 0 x 512 512 " + std::to_string(triangles) + " 0 0 0\n";
     for (int i = 0; i < triangles; ++i) text += "0 0 130816 0 0 130816\n";
     OutputFile file(path);
@@ -51,6 +53,12 @@ TEST(FitFifos, TheSecondEntryIsUsedWhenAllBeforeItIsFull) {
     EXPECT_EQ(uses.fifo[0].waited, static_cast<std::uint64_t>(waited)) << triangles;
     EXPECT_EQ(uses.fifo[0].both_clocks > 0, waited > 0) << triangles;
     EXPECT_LT(uses.fifo[0].both_clocks, uses.clocks);
+    // When all is full, each waits as long as one takes, but for the clock in which it enters.
+    if (triangles == 8) {
+      EXPECT_EQ(uses.fifo[0].both_clocks - before.fifo[0].both_clocks,
+                uses.clocks - before.clocks - 1);
+    }
+    before = uses;
     EXPECT_EQ(uses.fifo[2].waited, 0u);  // coverage takes a tile every clock
   }
   std::remove(path.c_str());

@@ -6,9 +6,9 @@ yosys puts N faults (`mutate`) into the flattened netlist of the vectors' stage,
 a number at run time. Verilator builds the netlist once with the bench that `halfspace vectors
 --from VECTORS --bench` writes, and plays it once for each fault. A fault is killed when the bench
 fails.
-Prints killed / total, and how many of the survivors are on bits that nothing reads, so that no test
-could find them; exits with 1 when the share is below --least or when the design without a fault
-fails.
+Prints killed / total, and how many of the survivors are on bits that no output depends on, so that
+no test could find them; exits with 1 when the share is below --least or when the design without a
+fault fails.
 
 --bits-only compares packets and their order, not clocks.
 """
@@ -56,14 +56,51 @@ def make_netlist(folder, top, count, seed):
     return faults
 
 
+# Cells of which output bit i depends on bit i of the data alone, and those where on bits 0..i.
+BITWISE = {"$and", "$or", "$xor", "$xnor", "$not", "$pos", "$mux", "$pmux", "$dff", "$dffe",
+           "$sdff", "$sdffe", "$sdffce"}
+CARRYING = {"$add", "$sub", "$neg", "$mul"}
+
+
+def sources(cell, bit, width):
+    """The input bits of a cell that bit `bit` of its output, `width` bits wide, depends on."""
+    used = []
+    for port, bits in cell["connections"].items():
+        if cell["port_directions"][port] != "input":
+            continue
+        data = port in ("A", "B", "D")
+        if data and cell["type"] == "$pmux" and port == "B":
+            bits = bits[bit::width]  # a word for each selector
+        elif data and cell["type"] in BITWISE:
+            bits = bits[bit:bit + 1] or bits[-1:]  # shorter operands are extended
+        elif data and cell["type"] in CARRYING:
+            bits = bits[:bit + 1]
+        used += [b for b in bits if not isinstance(b, str)]
+    return used
+
+
+def read_bits(module):
+    """The bits on which an output of the module depends, now or later."""
+    driver = {b: (cell, i, len(bits)) for cell in module["cells"].values()
+              for port, bits in cell["connections"].items()
+              if cell["port_directions"][port] == "output" for i, b in enumerate(bits)}
+    read = set()
+    waiting = [b for port in module["ports"].values() if port["direction"] == "output"
+               for b in port["bits"] if not isinstance(b, str)]
+    while waiting:
+        bit = waiting.pop()
+        if bit in read:
+            continue
+        read.add(bit)
+        if bit in driver:
+            waiting += sources(*driver[bit])
+    return read
+
+
 def unread_bits(folder):
-    """Bits of cell outputs that no cell and no port reads: a test whether a fault is on one."""
+    """A test whether a fault is where no output can depend on it: equivalent by structure."""
     module = json.loads((folder / "design.json").read_text())["modules"]["mutated"]
-    read = {bit for port in module["ports"].values() for bit in port["bits"]}
-    for cell in module["cells"].values():
-        for port, bits in cell["connections"].items():
-            if cell["port_directions"][port] == "input":
-                read.update(bits)
+    read = read_bits(module)
 
     def unread(fault):
         name = re.search(r"-cell (\S+)", fault)
@@ -71,14 +108,18 @@ def unread_bits(folder):
         if name is None or at is None:
             return False
         # yosys writes a private name with its $, a public one behind a backslash.
-        key = name[1][1:] if name[1].startswith("\\") else name[1]
-        connections = module["cells"][key]["connections"]
-        port = at[1].lstrip("\\")
-        if port == "D" and "Q" in connections:
-            port = "Q"  # a register's bit that is unread
-        if module["cells"][key]["port_directions"][port] == "input":
-            return False
-        return connections[port][int(at[2])] not in read
+        cell = module["cells"][name[1][1:] if name[1].startswith("\\") else name[1]]
+        port, bit = at[1].lstrip("\\"), int(at[2])
+        (output, bits), = [(p, b) for p, b in cell["connections"].items()
+                           if cell["port_directions"][p] == "output"]
+        if port == output:
+            return bits[bit] not in read
+        # The fault changes what this cell sees of the bit, nothing else.
+        seen = cell["connections"][port][bit]
+        if isinstance(seen, str) or cell["connections"][port].count(seen) > 1:
+            return not any(b in read for b in bits)
+        return not any(b in read and seen in sources(cell, i, len(bits))
+                       for i, b in enumerate(bits))
 
     return unread
 
@@ -136,7 +177,7 @@ def main():
     print(f"{pathlib.Path(o.vectors).name}: {counts['inputs']} inputs, "
           f"{counts['outputs']} outputs: {killed} of {len(faults)} faults killed "
           f"({100 * killed / max(len(faults), 1):.1f} %), "
-          f"{equivalent} of the others are on bits that nothing reads")
+          f"{equivalent} of the others are on bits that no output depends on")
     reasons = {}
     for ok, why in results:
         if not ok:
