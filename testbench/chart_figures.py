@@ -41,7 +41,8 @@ def subpixel(data):
         period, = clock.plot(bits, [v["asic"]["clock_ns"] for _, v in rows], "-s", color=ORANGE,
                              label="clock period (0.18 um, ideal wires)")
         clock.set(ylabel="clock period, ns", ylim=(0, None))
-        right.set(xlabel="subpixel bits s", ylabel="LUTs", ylim=(0, None), xticks=range(0, 13, 2),
+        right.set(xlabel=f"subpixel bits s (measured: {', '.join(map(str, bits))})",
+                  ylabel="LUTs", ylim=(0, None), xticks=range(0, 13, 2),
                   title=f"Cost of the RTL, preset {area['preset']} at that width")
         right.legend(handles=[luts, period], loc="lower right")
     figure.suptitle("Each subpixel bit halves the error and costs a few per cent of area",
