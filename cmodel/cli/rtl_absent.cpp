@@ -22,7 +22,7 @@ std::optional<RtlAgreement> compare_with_rtl(std::span<const Triangle>, const Fr
 
 TraceLog trace_rtl_level(std::span<const Triangle>, const FrameState&, const Config& config) {
   require_rtl(config, "--trace");
-  return {};
+  return TraceLog(config, Stalls());
 }
 
 int run_cosim(const CosimRequest& request) {
