@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "../triangle_setup.hpp"
 #include "error.hpp"
@@ -16,13 +17,14 @@ void require_extent(const Triangle& triangle, std::uint64_t index, const Config&
   const auto& v = triangle.vertex;
   const auto [x_min, x_max] = std::minmax({v[0].x, v[1].x, v[2].x});
   const auto [y_min, y_max] = std::minmax({v[0].y, v[1].y, v[2].y});
-  const double unit = 1 << config.subpixel_bits;
-  throw Error(
-      ErrorCode::kFitRange, place,
-      fmt::format("triangle {} spans {} x {} px: the configuration was fitted to less than "
-                  "{} px (extent_bits = {})",
-                  index, (std::int64_t{x_max} - x_min) / unit, (std::int64_t{y_max} - y_min) / unit,
-                  1 << config.extent_bits, config.extent_bits));
+  const auto px = [&config](std::int32_t to, std::int32_t from) {
+    return std::ldexp(double{to} - double{from}, -config.subpixel_bits);
+  };
+  throw Error(ErrorCode::kFitRange, place,
+              fmt::format("triangle {} spans {} x {} px: the configuration was fitted to less than "
+                          "{} px (extent_bits = {})",
+                          index, px(x_max, x_min), px(y_max, y_min), 1 << config.extent_bits,
+                          config.extent_bits));
 }
 
 void refuse_cut(std::uint64_t index, const Config& config, const std::string& place) {
