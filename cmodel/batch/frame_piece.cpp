@@ -12,7 +12,8 @@ FramePiece::FramePiece(const FrameState& frame, const Config& config,
     : kernels_(kernels), engine_(frame, config, kernels.isa) {}
 
 void FramePiece::cover(const FrameConstants& constants, const std::vector<VertexRecord>& records,
-                       std::size_t enough, int owners, std::uint32_t band) {
+                       std::size_t enough, const FrameBins::Grid& grid,
+                       FrameBins::Scratch& scratch) {
   done_ += engine_.fill({assembly_.triangle.data(), assembly_.count}, done_, enough);
   const CoverageChunk chunk = engine_.chunk();
   list_triangles(chunk, records);
@@ -24,8 +25,12 @@ void FramePiece::cover(const FrameConstants& constants, const std::vector<Vertex
   tiles_.triangle = record_triangle_.data();
   tiles_.depth = depth_.data();
   tiles_.depth_delta = depth_delta_.data();
-  owned_.resize(owners > 1 ? static_cast<std::size_t>(owners) : 0);
-  if (owners > 1) sort_records(static_cast<std::uint32_t>(owners), band);
+  bins_.clear();
+  if (constants.samples == 1 && kernels_.bins != nullptr &&
+      bins_.fill(tiles_, constants, grid, scratch)) {
+    return;
+  }
+  sort_records(grid);
 }
 
 // Triangles with a record, as positions in the chunk.
@@ -81,18 +86,19 @@ void FramePiece::make_planes(const FrameConstants& constants) {
   }
 }
 
-void FramePiece::sort_records(std::uint32_t owners, std::uint32_t band) {
-  for (std::vector<std::uint32_t>& list : owned_) list.clear();
+void FramePiece::sort_records(const FrameBins::Grid& grid) {
+  of_band_.resize(grid.bands());
+  for (std::vector<std::uint32_t>& list : of_band_) list.clear();
+  if (grid.bands() == 1) return;
   for (std::size_t r = 0; r < tiles_.count; ++r) {
     const std::uint32_t row = RecordPlace{tiles_.place[r]}.tile_y();
-    owned_[row / band % owners].push_back(static_cast<std::uint32_t>(r));
+    of_band_[row / grid.band].push_back(static_cast<std::uint32_t>(r));
   }
 }
 
-simd::RecordOrder FramePiece::order(int owner) const {
-  if (owned_.empty()) return {nullptr, tiles_.count};
-  const std::vector<std::uint32_t>& list = owned_[static_cast<std::size_t>(owner)];
-  return {list.data(), list.size()};
+simd::RecordOrder FramePiece::order(std::uint32_t band) const {
+  if (of_band_.size() == 1) return {nullptr, tiles_.count};
+  return {of_band_[band].data(), of_band_[band].size()};
 }
 
 }  // namespace halfspace

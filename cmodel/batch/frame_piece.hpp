@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coverage_engine.hpp"
+#include "frame_bins.hpp"
 #include "frame_geometry.hpp"
 #include "frame_records.hpp"
 #include "hit_plane.hpp"
@@ -27,14 +28,18 @@ class FramePiece {
   // Covers the next triangles, until there are `enough` records or no more triangles.
   //
   //   records  of the mesh, for corners that are not the assembly's own
-  //   owners   a record belongs to owner (tile row / band) mod owners
+  //   grid     of the frame's tiles; what is found is sorted by its bands
+  //   scratch  for the sorting
   void cover(const FrameConstants& constants, const std::vector<VertexRecord>& records,
-             std::size_t enough, int owners, std::uint32_t band);
+             std::size_t enough, const FrameBins::Grid& grid, FrameBins::Scratch& scratch);
 
   // What the last cover() found.
   const FrameTiles& tiles() const { return tiles_; }
   const FrameTriangle* triangles() const { return triangle_.data(); }
-  simd::RecordOrder order(int owner) const;
+  std::size_t triangle_count() const { return count_; }
+  // Sorted by tile or, where that is not done, by band only.
+  const FrameBins& bins() const { return bins_; }
+  simd::RecordOrder order(std::uint32_t band) const;
   CoverageChunk chunk() const { return engine_.chunk(); }
   const simd::KernelCounts& counts() const { return engine_.counts(); }
 
@@ -42,7 +47,7 @@ class FramePiece {
   void list_triangles(const CoverageChunk& chunk, const std::vector<VertexRecord>& records);
   void list_records(const CoverageChunk& chunk);
   void make_planes(const FrameConstants& constants);
-  void sort_records(std::uint32_t owners, std::uint32_t band);
+  void sort_records(const FrameBins::Grid& grid);
 
   const simd::FrameKernels& kernels_;
   CoverageEngine engine_;
@@ -55,7 +60,8 @@ class FramePiece {
   std::vector<FramePlane> depth_;
   std::vector<std::uint32_t> depth_delta_;
   std::vector<std::uint32_t> record_triangle_;
-  std::vector<std::vector<std::uint32_t>> owned_;  // records of each owner, in order
+  FrameBins bins_;
+  std::vector<std::vector<std::uint32_t>> of_band_;  // records of each band, in order
 };
 
 }  // namespace halfspace

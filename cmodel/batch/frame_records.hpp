@@ -69,6 +69,29 @@ struct FrameTiles {
   const std::uint32_t* depth_delta = nullptr;            // [triangle * samples + m]; samples > 1
 };
 
+// A tile of a triangle, ready for the depth test.
+struct alignas(32) BinRecord {
+  std::uint64_t covered = 0;   // lanes
+  std::uint32_t base = 0;      // of the depth plane at lane 0, units
+  std::uint32_t lane_dx = 0;   // FramePlane's
+  std::uint32_t lane_dy = 0;   // FramePlane's
+  std::uint32_t triangle = 0;  // index of the FrameTriangle
+};
+
+// A tile with its records: from the end of the tile before to `end`, in triangle order.
+struct BinTile {
+  std::uint32_t place = 0;  // tile row << 16 | tile column
+  std::uint32_t end = 0;
+};
+
+// Some tiles of a piece.
+struct BinRange {
+  const BinTile* tiles = nullptr;
+  std::size_t count = 0;               // of tiles
+  std::size_t begin = 0;               // where the first one's records begin
+  const BinRecord* records = nullptr;  // of all tiles
+};
+
 // What a configuration makes constant, for the kernels.
 struct FrameConstants {
   Config config;
@@ -97,7 +120,9 @@ struct PassedTiles {
   std::vector<PassedTile> tile;
   std::vector<std::uint64_t> covered;
   std::vector<std::uint64_t> passed;
+  std::vector<std::uint64_t> won;     // of the bin kernel: lanes that passed, by record of a tile
   std::vector<std::uint32_t> shaded;  // of the colour kernel: triangles with a tile, once each
+  std::vector<std::uint32_t> slot;    // of the colour kernel: [triangle]: its index there plus 1
   std::vector<ShadePlanes> planes;    // of those
   std::vector<std::uint64_t> deltas;  // [planes][sample][shade]; samples > 1
 

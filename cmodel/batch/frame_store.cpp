@@ -42,12 +42,14 @@ FrameStore::FrameStore(const FrameState& frame, const Config& config, Rgb backgr
 
 void FrameStore::clear() { std::fill(live_.begin(), live_.end(), std::uint8_t{0}); }
 
+void FrameStore::make_row(std::uint32_t row) {
+  const std::size_t bytes = columns_ * tile_words_ * sizeof(std::uint32_t);
+  rows_[row].reset(static_cast<std::uint32_t*>(::operator new[](bytes, kLine)));
+  row_[row] = rows_[row].get();
+}
+
 void FrameStore::make_tile(std::uint32_t column, std::uint32_t row) {
-  if (!rows_[row]) {
-    const std::size_t bytes = columns_ * tile_words_ * sizeof(std::uint32_t);
-    rows_[row].reset(static_cast<std::uint32_t*>(::operator new[](bytes, kLine)));
-    row_[row] = rows_[row].get();
-  }
+  if (!rows_[row]) make_row(row);
   live_[std::size_t{row} * columns_ + column] = 1;
   std::uint32_t* words = rows_[row].get() + column * tile_words_;
   std::fill_n(words, tile_words_ / 2, far_);

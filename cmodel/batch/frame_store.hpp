@@ -62,6 +62,14 @@ class FrameStore {
       if (live[row * columns + column] == 0) store->make_tile(column, row);
       return at(column, row);
     }
+    // The same, but a new tile is left for the caller to clear.
+    std::uint32_t* tile(std::uint32_t column, std::uint32_t row, bool& is_new) const {
+      std::uint8_t& alive = live[row * columns + column];
+      is_new = alive == 0;
+      alive = 1;
+      if (rows[row] == nullptr) store->make_row(row);
+      return at(column, row);
+    }
   };
   Tiles tiles() { return {this, live_.data(), row_.data(), columns_, tile_words_}; }
 
@@ -70,6 +78,7 @@ class FrameStore {
     const std::size_t at = std::size_t{row} * columns_ + column;
     return live_[at] == 0 ? nullptr : rows_[row].get() + column * tile_words_;
   }
+  std::uint32_t background() const { return background_; }
   std::uint32_t columns() const { return columns_; }
   std::uint32_t rows() const { return static_cast<std::uint32_t>(rows_.size()); }
 
@@ -78,6 +87,7 @@ class FrameStore {
     void operator()(std::uint32_t* words) const;
   };
 
+  void make_row(std::uint32_t row);
   void make_tile(std::uint32_t column, std::uint32_t row);
   void resolve_line(std::uint32_t row, std::size_t first_lane, std::uint32_t* to) const;
   std::uint32_t averaged(const std::uint32_t* tile, std::size_t lane) const;

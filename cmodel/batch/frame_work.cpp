@@ -2,7 +2,6 @@
 #include "frame_work.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <limits>
 
 #include "../fixed.hpp"
@@ -14,13 +13,6 @@ namespace {
 // them stays in the second-level cache.
 constexpr std::size_t kPieceTriangles = 2048;
 constexpr std::size_t kPieceRecords = 4096;
-// The same for several threads: the most triangles of a piece and the fewest worth sharing, and
-// pieces per thread between two meetings of the threads.
-constexpr std::size_t kSharedTriangles = 1024;
-constexpr std::size_t kLeastTriangles = 64;
-constexpr std::size_t kPiecesPerThread = 4;
-// Vertices a thread projects at a time.
-constexpr std::size_t kVertexRange = 1024;
 // Kernels write whole vectors of records.
 constexpr std::size_t kVertexSlack = 16;
 
@@ -49,10 +41,12 @@ FrameConstants frame_constants(const FrameState& frame, const Config& config,
   return out;
 }
 
-// Rows of tiles that a thread owns together: a triangle in two rows is then mostly one thread's,
+// Rows of tiles that a thread draws at a time: a triangle in two rows is then mostly one thread's,
 // and there are enough bands for everyone.
-std::uint32_t band_rows(std::uint32_t rows, int threads) {
-  return std::clamp(rows / (8 * static_cast<std::uint32_t>(threads)), 1u, 4u);
+FrameBins::Grid frame_grid(const FrameStore& store, int threads) {
+  const std::uint32_t share = store.rows() / (8 * static_cast<std::uint32_t>(threads));
+  const std::uint32_t band = threads == 1 ? store.rows() : std::clamp(share, 1u, 4u);
+  return {store.columns(), store.rows(), band};
 }
 
 }  // namespace
@@ -63,9 +57,10 @@ FrameEngine::Work::Work(const FrameState& frame, const Config& config, const Fra
       project_(project_constants(frame, config)),
       kernels_(find_kernels(options.isa)),
       store_(frame, config, options.background),
-      band_(band_rows(store_.rows(), options.threads)),
+      grid_(frame_grid(store_, options.threads)),
       passed_(static_cast<std::size_t>(options.threads)),
-      counts_(passed_.size()) {
+      counts_(passed_.size()),
+      scratch_(passed_.size(), FrameBins::Scratch(store_.tiles_total())) {
   const std::size_t threads = passed_.size();
   for (std::size_t i = 0; i < (threads == 1 ? 1 : 2 * threads * kPiecesPerThread); ++i) {
     pieces_.emplace_back(frame, config, kernels_);
@@ -152,12 +147,18 @@ void FrameEngine::Work::tell(FramePiece& piece) const {
   if (options_.on_triangles) options_.on_triangles({assembly.triangle.data(), assembly.count});
 }
 
-void FrameEngine::Work::draw_tiles(const FramePiece& piece, std::size_t thread) {
+void FrameEngine::Work::draw_tiles(const FramePiece& piece, std::uint32_t band,
+                                   std::size_t thread) {
   PassedTiles& passed = passed_[thread];
+  FrameCounts& counts = counts_[thread];
   passed.count = 0;
-  kernels_.depth(constants_, piece.tiles(), piece.order(static_cast<int>(thread)), store_, passed,
-                 counts_[thread]);
-  kernels_.shade(constants_, piece.triangles(), store_, passed);
+  if (passed.slot.size() < piece.triangle_count()) passed.slot.resize(2 * piece.triangle_count());
+  if (piece.bins().filled()) {
+    kernels_.bins(constants_, piece.bins().range(band), store_, passed, counts);
+  } else {
+    kernels_.depth(constants_, piece.tiles(), piece.order(band), store_, passed, counts);
+  }
+  if (passed.count > 0) kernels_.shade(constants_, piece.triangles(), store_, passed);
 }
 
 // Vertices are projected when they are needed: most meshes use them about in their order, and then
@@ -175,60 +176,10 @@ void FrameEngine::Work::draw_alone(const Feed& feed) {
     assemble(feed, 0, first, count);
     tell(piece);
     while (!piece.finished()) {
-      piece.cover(constants_, records_, kPieceRecords, 1, band_);
-      draw_tiles(piece, 0);
+      piece.cover(constants_, records_, kPieceRecords, grid_, scratch_[0]);
+      draw_tiles(piece, 0, 0);
       if (options_.count_hits) hits_[0].add(piece.chunk());
     }
-  }
-}
-
-FrameEngine::Work::Round FrameEngine::Work::round(const Feed& feed, std::size_t index) const {
-  const std::size_t most = pieces_.size() / 2;
-  Round out;
-  out.first = std::min(index * most * kSharedTriangles, feed.triangles);
-  out.count = std::min(most * kSharedTriangles, feed.triangles - out.first);
-  out.share = std::max(kLeastTriangles, (out.count + most - 1) / most);
-  out.used = (out.count + out.share - 1) / out.share;
-  out.piece = index % 2 * most;
-  return out;
-}
-
-// A line of three: while the tiles of one round are drawn, each band of rows by its owner and in
-// the order of triangles, whoever is free prepares the next round's pieces, and projects the
-// vertices of the one after. What a step reads was made in the step before.
-void FrameEngine::Work::draw_shared(const Feed& feed) {
-  std::size_t projected = 0;
-  for (std::size_t step = 0;; ++step) {
-    const Round arriving = round(feed, step);
-    const Round prepared = step < 1 ? Round() : round(feed, step - 1);
-    const Round drawn = step < 2 ? Round() : round(feed, step - 2);
-    if (arriving.used + prepared.used + drawn.used == 0) return;
-    std::size_t needed = projected;
-    if (feed.source != nullptr && arriving.count > 0) {
-      needed = std::max(needed, feed.vertices(arriving.first, arriving.count));
-    }
-    std::atomic<std::size_t> next_vertex = projected;
-    std::atomic<std::size_t> next_piece = 0;
-    options_.run(options_.threads, [&](int owner) {
-      const auto thread = static_cast<std::size_t>(owner);
-      for (std::size_t i = 0; i < drawn.used; ++i) draw_tiles(pieces_[drawn.piece + i], thread);
-      for (std::size_t i = next_piece++; i < prepared.used; i = next_piece++) {
-        const std::size_t from = i * prepared.share;
-        FramePiece& piece = pieces_[prepared.piece + i];
-        assemble(feed, prepared.piece + i, prepared.first + from,
-                 std::min(prepared.share, prepared.count - from));
-        piece.cover(constants_, records_, std::numeric_limits<std::size_t>::max(), options_.threads,
-                    band_);
-        if (options_.count_hits) hits_[thread].add(piece.chunk());
-      }
-      for (std::size_t from = next_vertex.fetch_add(kVertexRange); from < needed;
-           from = next_vertex.fetch_add(kVertexRange)) {
-        kernels_.project(project_, *feed.source, from, std::min(kVertexRange, needed - from),
-                         records_.data());
-      }
-    });
-    projected = needed;
-    for (std::size_t i = 0; i < prepared.used; ++i) tell(pieces_[prepared.piece + i]);
   }
 }
 

@@ -26,6 +26,9 @@ class FrameEngine::Work {
   std::vector<std::uint8_t> hits() const;
 
  private:
+  // Pieces of a round for each of several threads.
+  static constexpr std::size_t kPiecesPerThread = 4;
+
   // What a draw consists of.
   struct Feed {
     std::size_t triangles = 0;
@@ -35,23 +38,16 @@ class FrameEngine::Work {
     std::function<std::size_t(std::size_t first, std::size_t count)> vertices;
     const VertexSource* source = nullptr;  // null: no vertices
   };
-  // Some triangles of a draw, shared out in `used` pieces of `share`.
-  struct Round {
-    std::size_t first = 0;
-    std::size_t count = 0;
-    std::size_t share = 1;
-    std::size_t used = 0;
-    std::size_t piece = 0;  // the first of its pieces
-  };
+  struct Round;  // frame_shared.cpp
+  class Shared;  // frame_shared.cpp
 
   void check(std::span<const ShadedTriangle> triangles) const;
   void run(const Feed& feed);
   void draw_alone(const Feed& feed);
   void draw_shared(const Feed& feed);
-  Round round(const Feed& feed, std::size_t index) const;
   void assemble(const Feed& feed, std::size_t piece, std::size_t first, std::size_t count);
   void tell(FramePiece& piece) const;
-  void draw_tiles(const FramePiece& piece, std::size_t thread);
+  void draw_tiles(const FramePiece& piece, std::uint32_t band, std::size_t thread);
   void add_counts();
   void add_geometry();
 
@@ -60,17 +56,18 @@ class FrameEngine::Work {
   ProjectConstants project_;
   const simd::FrameKernels& kernels_;
   FrameStore store_;
-  std::uint32_t band_;  // rows of tiles that belong together
+  FrameBins::Grid grid_;  // bands: rows of tiles that one thread draws at a time
   RasterStats stats_;
   RasterStats setup_;  // already in stats_, of the engines' own counts
   GeometryStats geometry_sum_;
   std::vector<VertexRecord> records_;
-  std::vector<FramePiece> pieces_;       // two rounds of them, or one piece for one thread
-  std::vector<GeometryStage> plain_;     // one per piece
-  std::vector<GeometryStats> geometry_;  // of what plain_ did not see
-  std::vector<HitPlane> hits_;           // one per thread
-  std::vector<PassedTiles> passed_;      // one per thread
-  std::vector<FrameCounts> counts_;      // one per thread
+  std::vector<FramePiece> pieces_;           // two rounds of them, or one piece for one thread
+  std::vector<GeometryStage> plain_;         // one per piece
+  std::vector<GeometryStats> geometry_;      // of what plain_ did not see
+  std::vector<HitPlane> hits_;               // one per thread
+  std::vector<PassedTiles> passed_;          // one per thread
+  std::vector<FrameCounts> counts_;          // one per thread
+  std::vector<FrameBins::Scratch> scratch_;  // one per thread
 };
 
 }  // namespace halfspace

@@ -31,13 +31,19 @@ HWY_INLINE DepthTest depth_constants(const FrameConstants& c) {
           std::uint32_t{1} << (shift - 1)};
 }
 
+// Depths of a vector of lanes from the plane there with the rounding added.
+HWY_INLINE VI depth_of(const DepthTest& test, VI units) {
+  const DI d;
+  return hn::Min(hn::Max(hn::ShiftRightSame(units, test.shift), hn::Zero(d)), test.far);
+}
+
 // The depth test of a vector of lanes: `bits` are covered, `units` the plane there with the
 // rounding added. Returns those that passed; their depths are stored.
 HWY_INLINE std::uint64_t test_vector(const DepthTest& test, VI units, std::uint64_t bits,
                                      std::uint32_t* stored) {
   const DI d;
   auto* HWY_RESTRICT at = reinterpret_cast<std::int32_t*>(stored);
-  const VI depth = hn::Min(hn::Max(hn::ShiftRightSame(units, test.shift), hn::Zero(d)), test.far);
+  const VI depth = depth_of(test, units);
   const VI old = hn::Load(d, at);
   const auto wins = hn::And(hn::Lt(depth, hn::Add(old, test.bias)), mask_of(bits));
   hn::Store(hn::IfThenElse(wins, depth, old), d, at);
@@ -46,17 +52,17 @@ HWY_INLINE std::uint64_t test_vector(const DepthTest& test, VI units, std::uint6
 
 // One sample plane of one tile, as depth_test(). base: at lane 0, with the rounding added.
 template <int kGridLog2>
-HWY_INLINE std::uint64_t test_tile(const DepthTest& test, const FramePlane& plane,
-                                   std::uint32_t base, std::uint64_t covered,
+HWY_INLINE std::uint64_t test_tile(const DepthTest& test, std::uint32_t lane_dx,
+                                   std::uint32_t lane_dy, std::uint32_t base, std::uint64_t covered,
                                    std::uint32_t* HWY_RESTRICT stored) {
   const DI d;
-  const VI step = plane_step<kGridLog2>(plane.lane_dx, plane.lane_dy);
+  const VI step = plane_step<kGridLog2>(lane_dx, lane_dy);
   std::uint64_t passed = 0;
   while (covered != 0) {
     const std::size_t lane = first_vector(covered);
     const std::uint64_t bits = covered >> lane & kAllLanes;
     covered &= ~(kAllLanes << lane);
-    const std::uint32_t at = base + lane_offset<kGridLog2>(lane, plane.lane_dx, plane.lane_dy);
+    const std::uint32_t at = base + lane_offset<kGridLog2>(lane, lane_dx, lane_dy);
     const VI units = hn::Add(step, hn::Set(d, static_cast<std::int32_t>(at)));
     passed |= test_vector(test, units, bits, stored + lane) << lane;
   }
@@ -99,13 +105,13 @@ HWY_INLINE void depth_tile(const DepthTest& test, std::size_t record, std::uint3
   std::uint64_t passed = 0;
   if (kOne) {
     loop.counts.fragments += static_cast<std::uint64_t>(std::popcount(mask[0]));
-    passed = test_tile<kGridLog2>(test, plane, base, mask[0], stored);
+    passed = test_tile<kGridLog2>(test, plane.lane_dx, plane.lane_dy, base, mask[0], stored);
   } else {
     std::uint64_t any = 0;
     for (std::size_t m = 0; m < loop.samples; ++m) {
       const std::uint32_t delta = loop.tiles.depth_delta[triangle * loop.samples + m];
-      const std::uint64_t won =
-          test_tile<kGridLog2>(test, plane, base + delta, mask[m], stored + m * kTile);
+      const std::uint64_t won = test_tile<kGridLog2>(test, plane.lane_dx, plane.lane_dy,
+                                                     base + delta, mask[m], stored + m * kTile);
       loop.covered[loop.count * loop.samples + m] = mask[m];
       loop.passed[loop.count * loop.samples + m] = won;
       passed |= won;

@@ -15,6 +15,7 @@
 
 // The scalar kernels need no vectors: frame_scalar.cpp.
 #if HWY_TARGET != HWY_SCALAR
+#include "frame_bins-inl.hpp"
 #include "frame_depth-inl.hpp"
 #include "frame_project-inl.hpp"
 #include "frame_shade-inl.hpp"
@@ -23,7 +24,7 @@ HWY_BEFORE_NAMESPACE();
 namespace halfspace::simd::HWY_NAMESPACE {
 
 constexpr FrameKernels kernels(std::string_view isa) {
-  return {isa, &Highest, &Project, &Planes, &Depth, &Shade, &ShadeOnly, &Divide};
+  return {isa, &Highest, &Project, &Planes, &Depth, &Bins, &Shade, &ShadeOnly, &Divide};
 }
 
 }  // namespace halfspace::simd::HWY_NAMESPACE
@@ -62,8 +63,8 @@ constexpr Candidate kCandidates[] = {
     {HWY_EMU128, N_EMU128::kernels("emu128")},
 #endif
     {0,
-     {"scalar", &highest_scalar, &project_scalar, &planes_scalar, &depth_scalar, &shade_scalar,
-      &shade_planes_scalar, &divide_scalar}},
+     {"scalar", &highest_scalar, &project_scalar, &planes_scalar, &depth_scalar, nullptr,
+      &shade_scalar, &shade_planes_scalar, &divide_scalar}},
 };
 
 }  // namespace

@@ -31,6 +31,11 @@ using DepthKernel = void (*)(const FrameConstants& constants, const FrameTiles& 
                              const RecordOrder& order, FrameStore& store, PassedTiles& passed,
                              FrameCounts& counts);
 
+// The same for one sample and tiles that are sorted: all records of a tile, then the next tile. Of
+// the lanes that passed in a tile only the last of each pixel stay in `passed`.
+using BinKernel = void (*)(const FrameConstants& constants, const BinRange& bins, FrameStore& store,
+                           PassedTiles& passed, FrameCounts& counts);
+
 // Colours of the passed lanes, in order, into the store. `triangles` as PassedTile::triangle.
 using ShadeKernel = void (*)(const FrameConstants& constants, const FrameTriangle* triangles,
                              FrameStore& store, PassedTiles& passed);
@@ -58,6 +63,7 @@ struct FrameKernels {
   ProjectKernel project;
   PlaneKernel planes;
   DepthKernel depth;
+  BinKernel bins;  // null: there is none
   ShadeKernel shade;
   ShadePlaneKernel shade_planes;
   DivideKernel divide;

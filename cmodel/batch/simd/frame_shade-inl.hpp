@@ -120,19 +120,20 @@ HWY_INLINE void shade_planes(const FrameConstants& c, const FrameTriangle* trian
   if (samples > 1 && passed.deltas.size() < passed.count * samples * kShades) {
     passed.deltas.resize(2 * passed.count * samples * kShades);
   }
-  if (passed.shaded.size() < passed.count) passed.shaded.resize(2 * passed.count);
+  if (passed.shaded.size() <= passed.count) passed.shaded.resize(2 * passed.count + 1);
   // Without a branch: whether a tile is its triangle's first is a coin toss.
-  std::size_t found = 0;
-  std::uint32_t last = ~0u;
+  std::uint32_t found = 0;
   PassedTile* const tiles = passed.tile.data();
   std::uint32_t* const shaded = passed.shaded.data();
+  std::uint32_t* const slot = passed.slot.data();
   for (std::size_t k = 0; k < passed.count; ++k) {
     const std::uint32_t triangle = tiles[k].triangle;
-    found += triangle != last;
-    last = triangle;
-    shaded[found - 1] = triangle;
-    tiles[k].triangle = static_cast<std::uint32_t>(found - 1);
+    shaded[found] = triangle;
+    found += slot[triangle] == 0;
+    slot[triangle] = slot[triangle] == 0 ? found : slot[triangle];
+    tiles[k].triangle = slot[triangle] - 1;
   }
+  for (std::size_t i = 0; i < found; ++i) slot[shaded[i]] = 0;
   const FrameConstants constants = c;  // nothing aliases it
   for (std::size_t i = 0; i < found; ++i) {
     triangle_planes(constants, triangles[shaded[i]], passed.planes[i]);

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A draw by several threads.
+#include <algorithm>
+#include <limits>
+
+#include "frame_work.hpp"
+#include "step_line.hpp"
+
+namespace halfspace {
+namespace {
+
+// The most triangles of a piece and the fewest worth sharing.
+constexpr std::size_t kSharedTriangles = 1024;
+constexpr std::size_t kLeastTriangles = 64;
+// Vertices a thread projects at a time, at least.
+constexpr std::size_t kVertexRange = 1024;
+constexpr std::size_t kMostRanges = 1 << 12;
+
+}  // namespace
+
+// Some triangles of a draw, shared out in `used` pieces of `share`.
+struct FrameEngine::Work::Round {
+  std::size_t first = 0;
+  std::size_t count = 0;
+  std::size_t share = 1;
+  std::size_t used = 0;
+  std::size_t piece = 0;  // the first of its pieces
+};
+
+// A line of three: while the tiles of one round are drawn, each band of rows by one thread and in
+// the order of triangles, the next round's pieces are prepared, and the vertices of the one after
+// projected. What a step reads was made in the step before.
+class FrameEngine::Work::Shared {
+ public:
+  Shared(Work& work, const Feed& feed) : work_(work), feed_(feed) {}
+
+  // The next step's tasks: bands, then pieces, then ranges of vertices.
+  std::size_t plan() {
+    for (std::size_t i = 0; i < prepared_.used; ++i) work_.tell(work_.pieces_[prepared_.piece + i]);
+    drawn_ = prepared_;
+    prepared_ = arriving_;
+    arriving_ = round(index_++);
+    projected_ = needed_;
+    if (feed_.source != nullptr && arriving_.count > 0) {
+      needed_ = std::max(needed_, feed_.vertices(arriving_.first, arriving_.count));
+    }
+    const std::size_t more = needed_ - projected_;
+    range_ = std::max(kVertexRange, (more + kMostRanges - 1) / kMostRanges);
+    bands_ = drawn_.used == 0 ? 0 : work_.grid_.bands();
+    if (arriving_.used + prepared_.used + drawn_.used == 0) return 0;
+    // Never 0 before the end: an empty task keeps the line going.
+    return std::max<std::size_t>(bands_ + prepared_.used + (more + range_ - 1) / range_, 1);
+  }
+
+  void task(std::size_t task, std::size_t thread) {
+    if (task < bands_) {
+      for (std::size_t i = 0; i < drawn_.used; ++i) {
+        work_.draw_tiles(work_.pieces_[drawn_.piece + i], static_cast<std::uint32_t>(task), thread);
+      }
+      return;
+    }
+    task -= bands_;
+    if (task < prepared_.used) return prepare(task, thread);
+    const std::size_t from = projected_ + (task - prepared_.used) * range_;
+    if (from >= needed_) return;
+    work_.kernels_.project(work_.project_, *feed_.source, from, std::min(range_, needed_ - from),
+                           work_.records_.data());
+  }
+
+ private:
+  Round round(std::size_t index) const {
+    const std::size_t most = work_.pieces_.size() / 2;
+    Round out;
+    out.first = std::min(index * most * kSharedTriangles, feed_.triangles);
+    out.count = std::min(most * kSharedTriangles, feed_.triangles - out.first);
+    out.share = std::max(kLeastTriangles, (out.count + most - 1) / most);
+    out.used = (out.count + out.share - 1) / out.share;
+    out.piece = index % 2 * most;
+    return out;
+  }
+
+  void prepare(std::size_t i, std::size_t thread) {
+    const std::size_t from = i * prepared_.share;
+    FramePiece& piece = work_.pieces_[prepared_.piece + i];
+    work_.assemble(feed_, prepared_.piece + i, prepared_.first + from,
+                   std::min(prepared_.share, prepared_.count - from));
+    piece.cover(work_.constants_, work_.records_, std::numeric_limits<std::size_t>::max(),
+                work_.grid_, work_.scratch_[thread]);
+    if (work_.options_.count_hits) work_.hits_[thread].add(piece.chunk());
+  }
+
+  Work& work_;
+  const Feed& feed_;
+  std::size_t index_ = 0;
+  Round arriving_, prepared_, drawn_;
+  std::size_t projected_ = 0;  // vertices
+  std::size_t needed_ = 0;
+  std::size_t range_ = 1;
+  std::size_t bands_ = 0;
+};
+
+void FrameEngine::Work::draw_shared(const Feed& feed) {
+  Shared shared(*this, feed);
+  StepLine line([&shared] { return shared.plan(); });
+  options_.run(options_.threads, [&](int thread) {
+    line.work([&](std::size_t task) { shared.task(task, static_cast<std::size_t>(thread)); });
+  });
+}
+
+}  // namespace halfspace

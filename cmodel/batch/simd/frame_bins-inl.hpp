@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The depth test of one sample, tile by tile: a tile's depths are read and written once for all of
+// its triangles.
+#if defined(HALFSPACE_SIMD_FRAME_BINS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HALFSPACE_SIMD_FRAME_BINS_INL
+#undef HALFSPACE_SIMD_FRAME_BINS_INL
+#else
+#define HALFSPACE_SIMD_FRAME_BINS_INL
+#endif
+
+#include "frame_depth-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace halfspace::simd::HWY_NAMESPACE {
+
+// Tests records[0] .. records[count - 1] in order against one tile. won[r]: lanes that passed.
+// Depths stay in registers where they fit: a record then takes every vector of the tile, covered or
+// not, because skipping one costs more than testing it.
+template <int kGridLog2>
+HWY_INLINE void bin_depths(const DepthTest& test, const BinRecord* HWY_RESTRICT records,
+                           std::size_t count, bool is_new, std::uint32_t* HWY_RESTRICT stored,
+                           std::uint64_t* HWY_RESTRICT won) {
+  constexpr std::size_t kVectors = (std::size_t{1} << (2 * kGridLog2)) / kLanes;
+#if HALFSPACE_AVX512
+  const DI d;
+  auto* HWY_RESTRICT at = reinterpret_cast<std::int32_t*>(stored);
+  VI depth[kVectors];
+  for (std::size_t v = 0; v < kVectors; ++v) {
+    depth[v] = is_new ? test.far : hn::Load(d, at + v * kLanes);
+  }
+  for (std::size_t r = 0; r < count; ++r) {
+    const BinRecord& record = records[r];
+    const std::uint32_t base = record.base + test.round;
+    const VI first = hn::Add(plane_step<kGridLog2>(record.lane_dx, record.lane_dy),
+                             hn::Set(d, static_cast<std::int32_t>(base)));
+    std::uint64_t passed = 0;
+    for (std::size_t v = 0; v < kVectors; ++v) {
+      const std::size_t lane = v * kLanes;
+      const std::uint32_t down = lane_offset<kGridLog2>(lane, record.lane_dx, record.lane_dy);
+      const VI units = hn::Add(first, hn::Set(d, static_cast<std::int32_t>(down)));
+      const VI z = depth_of(test, units);
+      const auto covered = static_cast<__mmask16>(record.covered >> lane);
+      const __mmask16 wins =
+          _mm512_mask_cmplt_epi32_mask(covered, z.raw, hn::Add(depth[v], test.bias).raw);
+      depth[v] = VI{_mm512_mask_mov_epi32(depth[v].raw, wins, z.raw)};
+      passed |= std::uint64_t{wins} << lane;
+    }
+    won[r] = passed;
+  }
+  for (std::size_t v = 0; v < kVectors; ++v) hn::Store(depth[v], d, at + v * kLanes);
+#else
+  const DI d;
+  for (std::size_t v = 0; is_new && v < kVectors; ++v) {
+    hn::Store(test.far, d, reinterpret_cast<std::int32_t*>(stored) + v * kLanes);
+  }
+  for (std::size_t r = 0; r < count; ++r) {
+    const BinRecord& record = records[r];
+    won[r] = test_tile<kGridLog2>(test, record.lane_dx, record.lane_dy, record.base + test.round,
+                                  record.covered, stored);
+  }
+#endif
+}
+
+inline constexpr std::size_t kAhead = 3;
+inline constexpr int kLines = 4;
+template <int kGridLog2>
+HWY_NOINLINE void bin_tiles(const FrameConstants& c, const BinRange& range, FrameStore& store,
+                            PassedTiles& out, FrameCounts& counts) {
+  const DepthTest test = depth_constants(c);
+  const BinRange bins = range;
+  FrameStore::Tiles memory = store.tiles();
+  constexpr std::size_t kTile = std::size_t{1} << (2 * kGridLog2);
+  const auto background = hn::Set(DU(), store.background());
+  std::size_t begin = bins.begin;
+  const std::size_t total = bins.count == 0 ? 0 : bins.tiles[bins.count - 1].end - begin;
+  out.reserve(total + 1, 1);
+  if (out.won.size() < total) out.won.resize(2 * total);
+  std::uint64_t* const won = out.won.data();
+  PassedTile* const passed = out.tile.data();
+  std::size_t found = out.count;
+  std::uint64_t fragments = 0;
+  std::uint64_t shaded = 0;
+  for (std::size_t t = 0; t < bins.count; ++t) {
+    const std::uint32_t place = bins.tiles[t].place;
+    if (t + kAhead < bins.count) {
+      const std::uint32_t p2 = bins.tiles[t + kAhead].place;
+      const std::uint32_t* next = memory.at(p2 & 0xffff, p2 >> 16);
+      for (int i = 0; i < kLines; ++i) __builtin_prefetch(next + i * 16, 1);
+    }
+    const BinRecord* const records = bins.records + begin;
+    const std::size_t count = bins.tiles[t].end - begin;
+    begin += count;
+    bool is_new = false;
+    std::uint32_t* const stored = memory.tile(place & 0xffff, place >> 16, is_new);
+    bin_depths<kGridLog2>(test, records, count, is_new, stored, won);
+    for (std::size_t lane = 0; is_new && lane < kTile; lane += kLanes) {
+      hn::Store(background, DU(), stored + kTile + lane);
+    }
+    std::uint64_t open = ~std::uint64_t{0};  // pixels that no later record has
+    for (std::size_t r = count; r-- > 0;) {
+      const std::uint64_t last = won[r] & open;
+      open &= ~last;
+      fragments += static_cast<std::uint64_t>(std::popcount(records[r].covered));
+      shaded += static_cast<std::uint64_t>(std::popcount(won[r]));
+      passed[found] = {place, records[r].triangle, last};
+      found += last != 0;
+    }
+  }
+  out.count = found;
+  counts.tiles += total;
+  counts.samples += fragments;
+  counts.fragments += fragments;
+  counts.shaded += shaded;
+}
+
+void Bins(const FrameConstants& c, const BinRange& bins, FrameStore& store, PassedTiles& out,
+          FrameCounts& counts) {
+  c.config.grid_log2 == 3 ? bin_tiles<3>(c, bins, store, out, counts)
+                          : bin_tiles<2>(c, bins, store, out, counts);
+}
+
+}  // namespace halfspace::simd::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard
