@@ -13,7 +13,7 @@ namespace halfspace {
 class FrameBins {
  public:
   // More tiles than this are not sorted: they would leave the second-level cache.
-  static constexpr std::size_t kMostRecords = 1 << 14;
+  static constexpr std::size_t kMostRecords = 1 << 15;
 
   // How many records each tile of a frame has; all 0 between uses.
   using Scratch = std::vector<std::uint32_t>;

@@ -11,8 +11,8 @@ namespace {
 
 // Triangles prepared together, and the records after which their tiles are drawn: what is known of
 // them stays in the second-level cache.
-constexpr std::size_t kPieceTriangles = 2048;
-constexpr std::size_t kPieceRecords = 4096;
+constexpr std::size_t kPieceTriangles = 4096;
+constexpr std::size_t kPieceRecords = 12288;
 // Kernels write whole vectors of records.
 constexpr std::size_t kVertexSlack = 16;
 

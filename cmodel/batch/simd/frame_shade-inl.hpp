@@ -25,18 +25,29 @@ struct ShadeTile {
   const std::uint64_t* deltas;  // [sample][shade]
 };
 
+// The planes' units at lane 0 of a tile, in the low halves.
 template <int kGridLog2>
-HWY_INLINE void start_tile(const FrameConstants& c, const ShadePlanes& planes, std::uint32_t place,
-                           ShadeTile& tile) {
+HWY_INLINE void tile_bases(const FrameConstants& c, const ShadePlanes& planes, std::uint32_t place,
+                           VQuad (&base)[kShades / kQuadLanes]) {
   const DQuad d;
   const auto x = hn::Set(d, std::uint64_t{place & 0xffff} << kGridLog2);
   const auto y = hn::Set(d, std::uint64_t{place >> 16} << kGridLog2);
-  alignas(32) std::uint64_t base[kShades];
   for (std::size_t at = 0; at < kShades; at += kQuadLanes) {
     const auto sum = hn::Add(hn::Load(d, &planes.origin[at]),
                              hn::Add(mul_small(hn::Load(d, &planes.dx[at]), x),
                                      mul_small(hn::Load(d, &planes.dy[at]), y)));
-    hn::Store(hn::ShiftRightSame(sum, c.gradient_bits), d, base + at);
+    base[at / kQuadLanes] = hn::ShiftRightSame(sum, c.gradient_bits);
+  }
+}
+
+template <int kGridLog2>
+HWY_INLINE void start_tile(const FrameConstants& c, const ShadePlanes& planes, std::uint32_t place,
+                           ShadeTile& tile) {
+  VQuad quad[kShades / kQuadLanes];
+  tile_bases<kGridLog2>(c, planes, place, quad);
+  alignas(32) std::uint64_t base[kShades];
+  for (std::size_t at = 0; at < kShades; at += kQuadLanes) {
+    hn::Store(quad[at / kQuadLanes], DQuad(), base + at);
   }
   for (std::size_t n = 0; n < kShades; ++n) {
     tile.base[n] = static_cast<std::uint32_t>(base[n]);
@@ -44,6 +55,55 @@ HWY_INLINE void start_tile(const FrameConstants& c, const ShadePlanes& planes, s
     tile.lane_dy[n] = static_cast<std::uint32_t>(planes.lane_dy[n]);
     tile.step[n] = plane_step<kGridLog2>(tile.lane_dx[n], tile.lane_dy[n]);
   }
+}
+
+// A triangle's values at the lanes of a tile that it has, in place of what is there.
+template <int kGridLog2, std::size_t kVectors>
+HWY_INLINE void add_values(const FrameConstants& c, const ShadePlanes& planes, std::uint32_t place,
+                           std::uint64_t lanes, VI (&value)[kVectors][kShades]) {
+  const DI d;
+  VQuad quad[kShades / kQuadLanes];
+  tile_bases<kGridLog2>(c, planes, place, quad);
+#if HALFSPACE_AVX512
+  // Every vector of the tile, as in bin_depths().
+  const __m512i bases = _mm512_castsi256_si512(quad[0].raw);
+  for (std::size_t n = 0; n < kShades; ++n) {
+    const auto dx = static_cast<std::uint32_t>(planes.lane_dx[n]);
+    const auto dy = static_cast<std::uint32_t>(planes.lane_dy[n]);
+    const VI base{_mm512_permutexvar_epi32(_mm512_set1_epi32(static_cast<int>(2 * n)), bases)};
+    VI at = hn::Add(plane_step<kGridLog2>(dx, dy), base);
+    const VI down = hn::Set(d, static_cast<std::int32_t>(dy * (kLanes >> kGridLog2)));
+    for (std::size_t v = 0; v < kVectors; ++v) {
+      const auto here = static_cast<__mmask16>(lanes >> (v * kLanes));
+      value[v][n] = VI{_mm512_mask_mov_epi32(value[v][n].raw, here, at.raw)};
+      at = hn::Add(at, down);
+    }
+  }
+#else
+  alignas(32) std::uint64_t base[kShades];
+  for (std::size_t at = 0; at < kShades; at += kQuadLanes) {
+    hn::Store(quad[at / kQuadLanes], DQuad(), base + at);
+  }
+  VI step[kShades];
+  for (std::size_t n = 0; n < kShades; ++n) {
+    const auto dx = static_cast<std::uint32_t>(planes.lane_dx[n]);
+    const auto dy = static_cast<std::uint32_t>(planes.lane_dy[n]);
+    const auto at = static_cast<std::uint32_t>(base[n]);
+    step[n] = hn::Add(plane_step<kGridLog2>(dx, dy), hn::Set(d, static_cast<std::int32_t>(at)));
+  }
+  while (lanes != 0) {
+    const std::size_t lane = first_vector(lanes);
+    const auto here = mask_of(lanes >> lane & kAllLanes);
+    lanes &= ~(kAllLanes << lane);
+    for (std::size_t n = 0; n < kShades; ++n) {
+      const auto dx = static_cast<std::uint32_t>(planes.lane_dx[n]);
+      const auto dy = static_cast<std::uint32_t>(planes.lane_dy[n]);
+      const std::uint32_t down = lane_offset<kGridLog2>(lane, dx, dy);
+      VI& to = value[lane / kLanes][n];
+      to = hn::IfThenElse(here, hn::Add(step[n], hn::Set(d, static_cast<std::int32_t>(down))), to);
+    }
+  }
+#endif
 }
 
 // Moves each lane from the pixel's centre to its first covered sample, where a sample is missing.
@@ -66,8 +126,17 @@ HWY_INLINE void move_to_samples(const FrameConstants& c, const ShadeTile& tile, 
   for (std::size_t n = 0; n < kShades; ++n) value[n] = hn::Add(value[n], delta[n]);
 }
 
-// The colours of the vector at `lane`, as the store keeps them.
-template <int kGridLog2, bool kOne>
+// Colours as the store keeps them.
+HWY_INLINE VU divided(const Divider& divide, const VI (&value)[kShades]) {
+  const Divisor by = divisor(divide, value[3]);
+  const VU red = over(divide, by, value[0]);
+  const VU green = hn::ShiftLeft<8>(over(divide, by, value[1]));
+  const VU blue = hn::ShiftLeft<16>(over(divide, by, value[2]));
+  return hn::Or(hn::Or(red, green), hn::Or(blue, hn::Set(DU(), 0xff000000u)));
+}
+
+// The colours of the vector at `lane`.
+template <int kGridLog2>
 HWY_INLINE VU shade_vector(const FrameConstants& c, const Divider& divide, const ShadeTile& tile,
                            std::size_t lane) {
   const DI d;
@@ -77,12 +146,8 @@ HWY_INLINE VU shade_vector(const FrameConstants& c, const Divider& divide, const
         tile.base[n] + lane_offset<kGridLog2>(lane, tile.lane_dx[n], tile.lane_dy[n]);
     value[n] = hn::Add(tile.step[n], hn::Set(d, static_cast<std::int32_t>(at)));
   }
-  if (!kOne) move_to_samples(c, tile, lane, value);
-  const Divisor by = divisor(divide, value[3]);
-  const VU red = over(divide, by, value[0]);
-  const VU green = hn::ShiftLeft<8>(over(divide, by, value[1]));
-  const VU blue = hn::ShiftLeft<16>(over(divide, by, value[2]));
-  return hn::Or(hn::Or(red, green), hn::Or(blue, hn::Set(DU(), 0xff000000u)));
+  move_to_samples(c, tile, lane, value);
+  return divided(divide, value);
 }
 
 HWY_INLINE void store_colors(VU color, std::uint64_t bits, std::uint32_t* HWY_RESTRICT at) {
@@ -92,20 +157,16 @@ HWY_INLINE void store_colors(VU color, std::uint64_t bits, std::uint32_t* HWY_RE
 }
 
 // The colours of one tile.
-template <int kGridLog2, bool kOne>
+template <int kGridLog2>
 HWY_INLINE void shade_tile(const FrameConstants& c, const Divider& divide, const ShadeTile& tile,
                            std::uint64_t any, std::uint32_t* HWY_RESTRICT stored) {
   constexpr std::size_t kTile = std::size_t{1} << (2 * kGridLog2);
   while (any != 0) {
     const std::size_t lane = first_vector(any);
-    const VU color = shade_vector<kGridLog2, kOne>(c, divide, tile, lane);
-    if (kOne) {
-      store_colors(color, any >> lane & kAllLanes, stored + lane);
-    } else {
-      for (std::size_t m = 0; m < static_cast<std::size_t>(c.samples); ++m) {
-        const std::uint64_t bits = tile.passed[m] >> lane & kAllLanes;
-        if (bits != 0) store_colors(color, bits, stored + m * kTile + lane);
-      }
+    const VU color = shade_vector<kGridLog2>(c, divide, tile, lane);
+    for (std::size_t m = 0; m < static_cast<std::size_t>(c.samples); ++m) {
+      const std::uint64_t bits = tile.passed[m] >> lane & kAllLanes;
+      if (bits != 0) store_colors(color, bits, stored + m * kTile + lane);
     }
     any &= ~(kAllLanes << lane);
   }
@@ -148,14 +209,15 @@ HWY_INLINE void shade_planes(const FrameConstants& c, const FrameTriangle* trian
   }
 }
 
-template <int kGridLog2, bool kOne>
-HWY_NOINLINE void shade_tiles(const FrameConstants& frame, FrameStore& store, PassedTiles& passed) {
+// Several samples.
+template <int kGridLog2>
+HWY_NOINLINE void shade_samples(const FrameConstants& frame, FrameStore& store,
+                                PassedTiles& passed) {
   const FrameConstants c = frame;  // nothing aliases it
   const Divider divide = divider(c);
   constexpr std::size_t kTile = std::size_t{1} << (2 * kGridLog2);
   const auto samples = static_cast<std::size_t>(c.samples);
   ShadeTile tile;
-  tile.covered = tile.passed = tile.deltas = nullptr;
   const std::size_t count = passed.count;
   const PassedTile* const tiles = passed.tile.data();
   const ShadePlanes* const planes = passed.planes.data();
@@ -163,13 +225,42 @@ HWY_NOINLINE void shade_tiles(const FrameConstants& frame, FrameStore& store, Pa
   for (std::size_t k = 0; k < count; ++k) {
     const PassedTile& at = tiles[k];
     start_tile<kGridLog2>(c, planes[at.triangle], at.place, tile);
-    if (!kOne) {
-      tile.covered = passed.covered.data() + k * samples;
-      tile.passed = passed.passed.data() + k * samples;
-      tile.deltas = passed.deltas.data() + at.triangle * samples * kShades;
-    }
+    tile.covered = passed.covered.data() + k * samples;
+    tile.passed = passed.passed.data() + k * samples;
+    tile.deltas = passed.deltas.data() + at.triangle * samples * kShades;
     std::uint32_t* stored = memory.at(at.place & 0xffff, at.place >> 16) + samples * kTile;
-    shade_tile<kGridLog2, kOne>(c, divide, tile, at.passed, stored);
+    shade_tile<kGridLog2>(c, divide, tile, at.passed, stored);
+  }
+}
+
+// One sample: the lanes of a tile get their values triangle by triangle, and are divided together.
+template <int kGridLog2>
+HWY_NOINLINE void shade_tiles(const FrameConstants& frame, FrameStore& store,
+                              const PassedTiles& passed) {
+  const FrameConstants c = frame;  // nothing aliases it
+  const Divider divide = divider(c);
+  constexpr std::size_t kTile = std::size_t{1} << (2 * kGridLog2);
+  constexpr std::size_t kVectors = kTile / kLanes;
+  const PassedTile* at = passed.tile.data();
+  const PassedTile* const end = at + passed.count;
+  const ShadePlanes* const planes = passed.planes.data();
+  FrameStore::Tiles memory = store.tiles();
+  while (at != end) {
+    const std::uint32_t place = at->place;
+    std::uint64_t any = 0;
+    VI value[kVectors][kShades];
+    for (auto& vector : value) {
+      for (VI& shade : vector) shade = hn::Zero(DI());
+    }
+    for (; at != end && at->place == place; ++at) {
+      any |= at->passed;
+      add_values<kGridLog2>(c, planes[at->triangle], place, at->passed, value);
+    }
+    std::uint32_t* const stored = memory.at(place & 0xffff, place >> 16) + kTile;
+    for (std::size_t v = 0; v < kVectors; ++v) {
+      const std::uint64_t bits = any >> (v * kLanes) & kAllLanes;
+      if (bits != 0) store_colors(divided(divide, value[v]), bits, stored + v * kLanes);
+    }
   }
 }
 
@@ -202,11 +293,9 @@ void Shade(const FrameConstants& c, const FrameTriangle* triangles, FrameStore& 
            PassedTiles& passed) {
   shade_planes(c, triangles, passed);
   if (c.config.grid_log2 == 3) {
-    c.samples == 1 ? shade_tiles<3, true>(c, store, passed)
-                   : shade_tiles<3, false>(c, store, passed);
+    c.samples == 1 ? shade_tiles<3>(c, store, passed) : shade_samples<3>(c, store, passed);
   } else {
-    c.samples == 1 ? shade_tiles<2, true>(c, store, passed)
-                   : shade_tiles<2, false>(c, store, passed);
+    c.samples == 1 ? shade_tiles<2>(c, store, passed) : shade_samples<2>(c, store, passed);
   }
 }
 
