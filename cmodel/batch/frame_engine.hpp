@@ -73,6 +73,9 @@ class FrameEngine {
   // added, columns times z and 1 added, then both sums.
   void draw(const MeshView& mesh, const glm::dmat4& matrix);
 
+  // framebuffer().resolve_rgba(pixels), faster.
+  void resolve_rgba(std::span<std::uint32_t> pixels) const;
+
   const FrameStore& framebuffer() const;
   const RasterStats& stats() const;
   const GeometryStats& geometry() const;

@@ -104,13 +104,30 @@ void FrameStore::resolve_line(std::uint32_t row, std::size_t first_lane, std::ui
 }
 
 void FrameStore::resolve_rgba(std::span<std::uint32_t> pixels) const {
+  for (std::uint32_t row = 0; row < rows(); ++row) resolve_row(row, pixels);
+}
+
+void FrameStore::resolve_row(std::uint32_t row, std::span<std::uint32_t> pixels) const {
   const auto width = static_cast<std::size_t>(width_);
   HS_CHECK(pixels.size() == width * static_cast<std::size_t>(height_));
   const auto grid = static_cast<std::size_t>(config_.grid());
-  for (std::size_t y = 0; y < static_cast<std::size_t>(height_); ++y) {
-    resolve_line(static_cast<std::uint32_t>(y >> config_.grid_log2), (y & (grid - 1)) * grid,
-                 pixels.data() + y * width);
+  const std::size_t top = row * grid;
+  for (std::size_t y = top; y < std::min(top + grid, static_cast<std::size_t>(height_)); ++y) {
+    resolve_line(row, (y - top) * grid, pixels.data() + y * width);
   }
+}
+
+StoreRow FrameStore::row(std::uint32_t row) const {
+  const auto grid = static_cast<std::size_t>(config_.grid());
+  const std::size_t lines = std::min(grid, static_cast<std::size_t>(height_) - row * grid);
+  return {live_.data() + std::size_t{row} * columns_,
+          row_[row] == nullptr ? nullptr : row_[row] + lanes_,
+          tile_words_,
+          columns_,
+          grid,
+          static_cast<std::size_t>(width_),
+          lines,
+          background_};
 }
 
 Image FrameStore::resolve() const {

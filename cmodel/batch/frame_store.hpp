@@ -11,6 +11,18 @@
 
 namespace halfspace {
 
+// A row of tiles with one sample on its way to pixels.
+struct StoreRow {
+  const std::uint8_t* live = nullptr;     // [column]: not 0 when drawn to
+  const std::uint32_t* colors = nullptr;  // of the first tile; null when no tile was drawn to
+  std::size_t tile_words = 0;             // from tile to tile
+  std::size_t columns = 0;
+  std::size_t grid = 8;
+  std::size_t width = 0;  // px
+  std::size_t lines = 0;  // of pixels in this row of tiles
+  std::uint32_t background = 0;
+};
+
 // What Framebuffer keeps, laid out for vectors: tile by tile, every sample's depths, then every
 // sample's colours, 32 bits each (depth U0.depth_bits; colour red lowest, then green, blue, 255).
 //
@@ -32,6 +44,8 @@ class FrameStore {
   // resolve() as 32-bit pixels (red lowest, then green, blue, 255), row by row from the top, into
   // memory of the caller's: width x height of them (checked).
   void resolve_rgba(std::span<std::uint32_t> pixels) const;
+  // The same for one row of tiles.
+  void resolve_row(std::uint32_t row, std::span<std::uint32_t> pixels) const;
 
   // Depth and colour of one sample, whatever was drawn there.
   std::uint32_t depth_at(int x, int y, int sample) const;
@@ -72,6 +86,8 @@ class FrameStore {
     }
   };
   Tiles tiles() { return {this, live_.data(), row_.data(), columns_, tile_words_}; }
+
+  StoreRow row(std::uint32_t row) const;
 
   // Null when nothing was drawn there.
   const std::uint32_t* find_tile(std::uint32_t column, std::uint32_t row) const {

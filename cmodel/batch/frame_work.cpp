@@ -13,6 +13,8 @@ namespace {
 // them stays in the second-level cache.
 constexpr std::size_t kPieceTriangles = 4096;
 constexpr std::size_t kPieceRecords = 12288;
+// Pictures from here on are written past the caches.
+constexpr std::size_t kStreamedPixels = 1 << 20;
 // Kernels write whole vectors of records.
 constexpr std::size_t kVertexSlack = 16;
 
@@ -188,6 +190,25 @@ std::vector<std::uint8_t> FrameEngine::Work::hits() const {
   HitPlane sum = hits_.front();
   for (std::size_t i = 1; i < hits_.size(); ++i) sum.add(hits_[i]);
   return sum.count();
+}
+
+void FrameEngine::Work::resolve_rows(std::uint32_t first, std::uint32_t last,
+                                     std::span<std::uint32_t> pixels) const {
+  for (std::uint32_t row = first; row < last; ++row) {
+    if (constants_.samples == 1 && kernels_.resolve != nullptr) {
+      const StoreRow tiles = store_.row(row);
+      kernels_.resolve(tiles, pixels.size() >= kStreamedPixels,
+                       pixels.data() + row * tiles.grid * tiles.width);
+    } else {
+      store_.resolve_row(row, pixels);
+    }
+  }
+}
+
+void FrameEngine::Work::resolve_rgba(std::span<std::uint32_t> pixels) const {
+  HS_CHECK(pixels.size() == static_cast<std::size_t>(constants_.frame.width) *
+                                static_cast<std::size_t>(constants_.frame.height));
+  resolve_rows(0, store_.rows(), pixels);
 }
 
 // The kernels' counts; those of setup run on from the engines' first triangle.

@@ -52,7 +52,7 @@ class EngineFrame {
     engine_.clear();
     engine_.draw(MeshView{work_.mesh->positions, work_.mesh->colors, work_.mesh->triangles},
                  work_.mesh->matrix);
-    engine_.framebuffer().resolve_rgba(pixels_);
+    engine_.resolve_rgba(pixels_);
   }
 
   BenchOutput count() {

@@ -18,13 +18,14 @@
 #include "frame_bins-inl.hpp"
 #include "frame_depth-inl.hpp"
 #include "frame_project-inl.hpp"
+#include "frame_resolve-inl.hpp"
 #include "frame_shade-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace halfspace::simd::HWY_NAMESPACE {
 
 constexpr FrameKernels kernels(std::string_view isa) {
-  return {isa, &Highest, &Project, &Planes, &Depth, &Bins, &Shade, &ShadeOnly, &Divide};
+  return {isa, &Highest, &Project, &Planes, &Depth, &Bins, &Shade, &Resolve, &ShadeOnly, &Divide};
 }
 
 }  // namespace halfspace::simd::HWY_NAMESPACE
@@ -64,7 +65,7 @@ constexpr Candidate kCandidates[] = {
 #endif
     {0,
      {"scalar", &highest_scalar, &project_scalar, &planes_scalar, &depth_scalar, nullptr,
-      &shade_scalar, &shade_planes_scalar, &divide_scalar}},
+      &shade_scalar, nullptr, &shade_planes_scalar, &divide_scalar}},
 };
 
 }  // namespace
