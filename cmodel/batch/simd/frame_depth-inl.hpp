@@ -162,12 +162,6 @@ HWY_NOINLINE void depth_records(const FrameConstants& c, const FrameTiles& tiles
   counts.shaded += loop.counts.shaded;
 }
 
-void Planes(const FrameConstants& c, const FrameTriangle* triangles, std::size_t count,
-            FramePlane* HWY_RESTRICT out) {
-  const FrameConstants constants = c;  // nothing aliases it
-  for (std::size_t i = 0; i < count; ++i) out[i] = depth_plane(triangles[i], constants);
-}
-
 void Depth(const FrameConstants& c, const FrameTiles& tiles, const RecordOrder& order,
            FrameStore& store, PassedTiles& out, FrameCounts& counts) {
   if (c.config.grid_log2 == 3) {

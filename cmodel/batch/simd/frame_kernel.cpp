@@ -3,6 +3,7 @@
 // Compiled once per instruction set: Highway includes this file again for each.
 #include "frame_kernel.hpp"
 
+#include <numeric>
 #include <vector>
 
 #include "targets.hpp"

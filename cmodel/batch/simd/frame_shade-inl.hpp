@@ -8,8 +8,8 @@
 #define HALFSPACE_SIMD_FRAME_SHADE_INL
 #endif
 
-#include "frame_gradient-inl.hpp"
 #include "frame_perspective-inl.hpp"
+#include "frame_planes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace halfspace::simd::HWY_NAMESPACE {
@@ -195,10 +195,7 @@ HWY_INLINE void shade_planes(const FrameConstants& c, const FrameTriangle* trian
     tiles[k].triangle = slot[triangle] - 1;
   }
   for (std::size_t i = 0; i < found; ++i) slot[shaded[i]] = 0;
-  const FrameConstants constants = c;  // nothing aliases it
-  for (std::size_t i = 0; i < found; ++i) {
-    triangle_planes(constants, triangles[shaded[i]], passed.planes[i]);
-  }
+  listed_planes(c, triangles, shaded, found, passed.planes.data());
   for (std::size_t i = 0; samples > 1 && i < found; ++i) {
     for (std::size_t m = 0; m < samples; ++m) {
       for (std::size_t n = 0; n < kShades; ++n) {
@@ -262,11 +259,6 @@ HWY_NOINLINE void shade_tiles(const FrameConstants& frame, FrameStore& store,
       if (bits != 0) store_colors(divided(divide, value[v]), bits, stored + v * kLanes);
     }
   }
-}
-
-void ShadeOnly(const FrameConstants& c, const FrameTriangle* triangles, std::size_t count,
-               ShadePlanes* out) {
-  for (std::size_t i = 0; i < count; ++i) triangle_planes(c, triangles[i], out[i]);
 }
 
 void Divide(const FrameConstants& c, Division* divisions, std::size_t count) {
