@@ -3,6 +3,7 @@
 // A draw by several threads.
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "frame_work.hpp"
 #include "step_line.hpp"
@@ -11,8 +12,8 @@ namespace halfspace {
 namespace {
 
 // The most triangles of a piece and the fewest worth sharing.
-constexpr std::size_t kSharedTriangles = 1024;
-constexpr std::size_t kLeastTriangles = 64;
+constexpr std::size_t kSharedTriangles = 4096;
+constexpr std::size_t kLeastTriangles = 512;
 // Vertices a thread projects at a time, at least.
 constexpr std::size_t kVertexRange = 1024;
 constexpr std::size_t kMostRanges = 1 << 12;
@@ -33,27 +34,31 @@ struct FrameEngine::Work::Round {
 // projected. What a step reads was made in the step before.
 class FrameEngine::Work::Shared {
  public:
-  Shared(Work& work, const Feed& feed) : work_(work), feed_(feed) {}
+  Shared(Work& work, const Feed& feed) : work_(work), feed_(feed) {
+    coming_ = round(index_++);
+    scan();
+  }
 
-  // The next step's tasks: bands, then pieces, then ranges of vertices.
+  // The next step's tasks: one that scans, then bands, then pieces, then ranges of vertices; none
+  // when all is drawn.
   std::size_t plan() {
     for (std::size_t i = 0; i < prepared_.used; ++i) work_.tell(work_.pieces_[prepared_.piece + i]);
     drawn_ = prepared_;
     prepared_ = arriving_;
-    arriving_ = round(index_++);
+    arriving_ = coming_;
+    coming_ = round(index_++);
     projected_ = needed_;
-    if (feed_.source != nullptr && arriving_.count > 0) {
-      needed_ = std::max(needed_, feed_.vertices(arriving_.first, arriving_.count));
-    }
+    needed_ = std::max(needed_, coming_needed_);
     const std::size_t more = needed_ - projected_;
     range_ = std::max(kVertexRange, (more + kMostRanges - 1) / kMostRanges);
     bands_ = drawn_.used == 0 ? 0 : work_.grid_.bands();
     if (arriving_.used + prepared_.used + drawn_.used == 0) return 0;
-    // Never 0 before the end: an empty task keeps the line going.
-    return std::max<std::size_t>(bands_ + prepared_.used + (more + range_ - 1) / range_, 1);
+    return 1 + bands_ + prepared_.used + (more + range_ - 1) / range_;
   }
 
   void task(std::size_t task, std::size_t thread) {
+    if (task == 0) return scan();
+    task -= 1;
     if (task < bands_) {
       for (std::size_t i = 0; i < drawn_.used; ++i) {
         work_.draw_tiles(work_.pieces_[drawn_.piece + i], static_cast<std::uint32_t>(task), thread);
@@ -63,7 +68,6 @@ class FrameEngine::Work::Shared {
     task -= bands_;
     if (task < prepared_.used) return prepare(task, thread);
     const std::size_t from = projected_ + (task - prepared_.used) * range_;
-    if (from >= needed_) return;
     work_.kernels_.project(work_.project_, *feed_.source, from, std::min(range_, needed_ - from),
                            work_.records_.data());
   }
@@ -80,6 +84,12 @@ class FrameEngine::Work::Shared {
     return out;
   }
 
+  // Which vertices the round after the next needs.
+  void scan() {
+    if (feed_.source == nullptr || coming_.count == 0) return;
+    coming_needed_ = feed_.vertices(coming_.first, coming_.count);
+  }
+
   void prepare(std::size_t i, std::size_t thread) {
     const std::size_t from = i * prepared_.share;
     FramePiece& piece = work_.pieces_[prepared_.piece + i];
@@ -93,9 +103,10 @@ class FrameEngine::Work::Shared {
   Work& work_;
   const Feed& feed_;
   std::size_t index_ = 0;
-  Round arriving_, prepared_, drawn_;
+  Round coming_, arriving_, prepared_, drawn_;
   std::size_t projected_ = 0;  // vertices
   std::size_t needed_ = 0;
+  std::size_t coming_needed_ = 0;
   std::size_t range_ = 1;
   std::size_t bands_ = 0;
 };
@@ -105,6 +116,18 @@ void FrameEngine::Work::draw_shared(const Feed& feed) {
   StepLine line([&shared] { return shared.plan(); });
   options_.run(options_.threads, [&](int thread) {
     line.work([&](std::size_t task) { shared.task(task, static_cast<std::size_t>(thread)); });
+  });
+}
+
+// A band is enough for a task, and few enough tasks for any frame.
+void FrameEngine::Work::resolve_shared(std::span<std::uint32_t> pixels) const {
+  bool planned = false;
+  StepLine line([&] { return std::exchange(planned, true) ? 0 : grid_.bands(); });
+  options_.run(options_.threads, [&](int) {
+    line.work([&](std::size_t task) {
+      const auto first = static_cast<std::uint32_t>(task) * grid_.band;
+      resolve_rows(first, std::min(first + grid_.band, grid_.rows), pixels);
+    });
   });
 }
 

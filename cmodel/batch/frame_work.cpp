@@ -208,7 +208,8 @@ void FrameEngine::Work::resolve_rows(std::uint32_t first, std::uint32_t last,
 void FrameEngine::Work::resolve_rgba(std::span<std::uint32_t> pixels) const {
   HS_CHECK(pixels.size() == static_cast<std::size_t>(constants_.frame.width) *
                                 static_cast<std::size_t>(constants_.frame.height));
-  resolve_rows(0, store_.rows(), pixels);
+  if (options_.threads == 1) return resolve_rows(0, store_.rows(), pixels);
+  resolve_shared(pixels);
 }
 
 // The kernels' counts; those of setup run on from the engines' first triangle.

@@ -28,7 +28,7 @@ class FrameEngine::Work {
 
  private:
   // Pieces of a round for each of several threads.
-  static constexpr std::size_t kPiecesPerThread = 4;
+  static constexpr std::size_t kPiecesPerThread = 2;
 
   // What a draw consists of.
   struct Feed {
@@ -50,6 +50,7 @@ class FrameEngine::Work {
   void tell(FramePiece& piece) const;
   void draw_tiles(const FramePiece& piece, std::uint32_t band, std::size_t thread);
   void resolve_rows(std::uint32_t first, std::uint32_t last, std::span<std::uint32_t> pixels) const;
+  void resolve_shared(std::span<std::uint32_t> pixels) const;
   void add_counts();
   void add_geometry();
 
