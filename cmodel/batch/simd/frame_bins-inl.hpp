@@ -62,8 +62,17 @@ HWY_INLINE void bin_depths(const DepthTest& test, const BinRecord* HWY_RESTRICT 
 #endif
 }
 
-inline constexpr std::size_t kAhead = 3;
-inline constexpr int kLines = 4;
+// Fetches a tile, depths and colours, that is needed kAhead tiles later.
+inline constexpr std::size_t kAhead = 6;
+HWY_INLINE void fetch_ahead(const BinRange& bins, std::size_t t, const FrameStore::Tiles& memory) {
+  if (t + kAhead >= bins.count) return;
+  const std::uint32_t place = bins.tiles[t + kAhead].place;
+  const std::uint32_t* const row = memory.rows[place >> 16];
+  if (row == nullptr) return;
+  const std::uint32_t* const at = row + (place & 0xffff) * memory.tile_words;
+  for (std::size_t word = 0; word < memory.tile_words; word += 16) __builtin_prefetch(at + word, 1);
+}
+
 template <int kGridLog2>
 HWY_NOINLINE void bin_tiles(const FrameConstants& c, const BinRange& range, FrameStore& store,
                             PassedTiles& out, FrameCounts& counts) {
@@ -83,11 +92,7 @@ HWY_NOINLINE void bin_tiles(const FrameConstants& c, const BinRange& range, Fram
   std::uint64_t shaded = 0;
   for (std::size_t t = 0; t < bins.count; ++t) {
     const std::uint32_t place = bins.tiles[t].place;
-    if (t + kAhead < bins.count) {
-      const std::uint32_t p2 = bins.tiles[t + kAhead].place;
-      const std::uint32_t* next = memory.at(p2 & 0xffff, p2 >> 16);
-      for (int i = 0; i < kLines; ++i) __builtin_prefetch(next + i * 16, 1);
-    }
+    fetch_ahead(bins, t, memory);
     const BinRecord* const records = bins.records + begin;
     const std::size_t count = bins.tiles[t].end - begin;
     begin += count;
