@@ -105,6 +105,15 @@ TEST(FrameScene, SameBytesForAnyNumberOfThreads) {
   }
 }
 
+// Several rounds of pieces, of which later ones need fewer vertices than earlier ones.
+TEST(FrameScene, RoundsMayGoBackToTheFirstVertices) {
+  ShadedMesh mesh = strip(6, 35001);
+  const std::vector<TriangleIndices> forth = mesh.triangles;
+  mesh.triangles.insert(mesh.triangles.end(), forth.rbegin(), forth.rend());
+  const FrameState frame{40, 30, Cull::kNone};
+  EXPECT_TRUE(everything(mesh, frame, kFull, 1) == everything(mesh, frame, kFull, 2));
+}
+
 TEST(FrameScene, ClearLeavesNothingOfTheLastFrame) {
   const FrameState frame{120, 90, Cull::kNone};
   const ShadedMesh teapot = scene("teapot.obj", frame, {});

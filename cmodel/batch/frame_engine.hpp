@@ -34,8 +34,8 @@ struct FrameOptions {
   bool count_hits = false;  // also keep hits()
   int threads = 1;          // 1 or more; more than 1 needs `run`
   FrameRunner run;          // how to run the threads; not called for 1
-  // When not empty: called by the thread that draws, with all triangles on their way to setup, in
-  // order, a few thousand at a time.
+  // When not empty: called with all triangles on their way to setup, in order, a few thousand at a
+  // time, by one thread at a time. What it throws, draw() throws.
   std::function<void(std::span<const Triangle>)> on_triangles;
 };
 
@@ -73,7 +73,7 @@ class FrameEngine {
   // added, columns times z and 1 added, then both sums.
   void draw(const MeshView& mesh, const glm::dmat4& matrix);
 
-  // framebuffer().resolve_rgba(pixels), faster.
+  // framebuffer().resolve_rgba(pixels) by SIMD and, with several, by all threads.
   void resolve_rgba(std::span<std::uint32_t> pixels) const;
 
   const FrameStore& framebuffer() const;
