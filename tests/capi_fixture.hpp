@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
 
 #include "halfspace.h"
@@ -34,6 +35,16 @@ inline hs_frame frame_of(int width, int height, std::uint32_t outputs) {
   frame.height = height;
   frame.outputs = outputs;
   return frame;
+}
+
+inline constexpr std::int32_t kTriangle[6] = {0, 0, 4000, 0, 0, 4000};
+
+// The status, and one line of text that names `word`.
+inline void expect_refused(hs_status got, hs_status expected, const std::string& word) {
+  EXPECT_EQ(got, expected) << hs_status_text(got) << ": " << hs_last_error();
+  const std::string text = hs_last_error();
+  EXPECT_NE(text.find(word), std::string::npos) << text;
+  EXPECT_EQ(text.find('\n'), std::string::npos) << text;
 }
 
 // All that wait, some at a time.

@@ -1,59 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "lab/method_accounts.hpp"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <map>
 
-#include "lab/case_pixels.hpp"
-#include "lab/suite_shapes.hpp"
+#include "method_accounts_support.hpp"
 
 namespace halfspace::lab {
 namespace {
-
-using methods::Canvas;
-using methods::Drawing;
-using methods::Method;
-
-// Pixels (0, 0) to (7, 7): two triangles whose shared edge holds eight centres.
-std::vector<Facet> quad() {
-  return {facet_of({8, 0}, {8, 8}, {0, 8}), facet_of({8, 0}, {0, 8}, {0, 0})};
-}
-
-MethodPixel pixel_of(const Method& method, const Drawing& drawing, std::uint64_t triangles, int x,
-                     int y, int size, bool all = true) {
-  Canvas canvas(size, size);
-  if (method.attributes) canvas.keep_attributes();
-  return method_pixel(method, drawing, triangles, canvas, x, y, all);
-}
-
-MethodPixel quad_pixel(const Method& method, int x, int y) {
-  return pixel_of(method, methods::drawing_of(quad(), 8, 8), 2, x, y, 8);
-}
-
-std::uint64_t count(const MethodPixel& pixel, MethodFate fate) {
-  return pixel.counts[static_cast<std::size_t>(fate)];
-}
-
-// A method made for a test: what `hits` says of each triangle at each pixel.
-Method invented(std::function<int(const Facet&, int, int)> hits) {
-  Method m;
-  m.name = "invented";
-  m.draw = methods::DrawFacet([hits](const Facet& f, Canvas& canvas) {
-    for (int y = 0; y < canvas.height(); ++y) {
-      for (int x = 0; x < canvas.width(); ++x) {
-        for (int n = hits(f, x, y); n > 0; --n) canvas.hit(x, y);
-      }
-    }
-  });
-  return m;
-}
-
-// The half of the quad that holds its lower right corner.
-bool lower(const Facet& f) {
-  return std::any_of(f.begin(), f.end(), [](const auto& v) { return v.x == 8 && v.y == 8; });
-}
 
 TEST(MethodAccounts, SharedEdgeSamplesAreGapsOrDoublesWithoutATieRuleAndOwnedOnceWithOne) {
   struct Claim {
@@ -81,6 +32,10 @@ TEST(MethodAccounts, SharedEdgeSamplesAreGapsOrDoublesWithoutATieRuleAndOwnedOnc
       EXPECT_EQ(owner.fate, claim.owner) << claim.method << ": " << fate_name(owner.fate);
       EXPECT_EQ(other.fate, claim.other) << claim.method << ": " << fate_name(other.fate);
       EXPECT_EQ(pixel.owns, 1u);
+      EXPECT_EQ(owner.pieces[0].hits, owner.hits);
+      const MethodPixel near = quad_pixel(*methods::find(claim.method), x, 7 - x, false);
+      EXPECT_EQ(near.counts, pixel.counts) << claim.method;
+      EXPECT_EQ(near.accounts.size(), 2u) << claim.method << ": the tie that was lost is kept";
       EXPECT_EQ(owner.pieces[0].verdict, Verdict::kTieWon);
       EXPECT_EQ(other.pieces[0].verdict, Verdict::kTieLost);
     }
@@ -104,6 +59,25 @@ TEST(MethodAccounts, EachKindOfMistakeIsToldFromTheOthers) {
       invented([&](const Facet& f, int x, int y) { return inside(f, x, y) ? 2 : 0; }), 6, 6);
   EXPECT_EQ(count(twice, MethodFate::kDouble), 1u);
   EXPECT_EQ(count(twice, MethodFate::kOutside), 1u);
+}
+
+TEST(MethodAccounts, HitsBesideEachOtherWithoutAnOwnerAreBothFalse) {
+  const MethodPixel pixel = pixel_of(invented([](auto&&...) { return 1; }),
+                                     methods::drawing_of(quad(), 16, 16), 2, 12, 12, 16);
+  EXPECT_EQ(count(pixel, MethodFate::kFalseHit), 2u);
+}
+
+TEST(MethodAccounts, TrianglesAreBesideEachOtherWhoseverEdgePartsThem) {
+  // Only the second one's edge at x = 9 has all of the other on its far side.
+  const std::vector<Facet> two{facet_of({10, 5}, {14, 0}, {14, 10}),
+                               facet_of({9, -50}, {9, 50}, {-50, 0})};
+  const Drawing drawing = methods::drawing_of(two, 16, 16);
+  const Method both = invented([](auto&&...) { return 1; });
+  for (const int x : {5, 12}) {
+    const MethodPixel pixel = pixel_of(both, drawing, 2, x, 4, 16);
+    EXPECT_EQ(count(pixel, MethodFate::kDouble), 1u) << x;
+    EXPECT_EQ(count(pixel, MethodFate::kCovers), 1u) << x;
+  }
 }
 
 TEST(MethodAccounts, OverlappingTrianglesAreNotBesideEachOther) {
@@ -139,6 +113,15 @@ TEST(MethodAccounts, NearestTriangleShowsAndTheOthersAreBehind) {
     EXPECT_EQ(pixel.accounts[1].fate, MethodFate::kCovers) << name;
     EXPECT_TRUE(pixel.accounts[1].shows) << name;
   }
+}
+
+TEST(MethodAccounts, FirstFragmentShowsWhateverItsDepth) {
+  std::vector<Facet> nearest{facet_of({0, 0}, {8, 0}, {0, 8})};
+  for (methods::Vertex& v : nearest[0]) v.z = 0;
+  const MethodPixel pixel =
+      pixel_of(*methods::find("bary_area_double"), methods::drawing_of(nearest, 8, 8), 1, 2, 2, 8);
+  EXPECT_EQ(pixel.winner, 0);
+  EXPECT_EQ(pixel.depth, 0.0);
 }
 
 TEST(MethodAccounts, EveryMethodAgreesWithTheSuitesJudgeAtEveryPixel) {
@@ -178,58 +161,6 @@ TEST(MethodAccounts, EveryMethodAgreesWithTheSuitesJudgeAtEveryPixel) {
   EXPECT_GE(kinds.size(), 4u) << "a kind of input was not compared";
 }
 
-TEST(MethodAccounts, OwnEdgeValuesDecideTheHits) {
-  // Small, flipped, far away, with and without ties: a hit is exactly three edges that pass.
-  std::vector<Facet> facets = quad();
-  facets.push_back(facet_of({1.5, 2.5}, {2.5, 13.5}, {14.5, 3.5}));
-  facets.push_back(facet_of({16000.25, 16001}, {16013, 16002.125}, {16004.75, 16015}));
-  for (const Facet& f : separate(5, 16, 2, 0)) facets.push_back(f);
-  int methods_with_edges = 0;
-  for (const Method& method : methods::all()) {
-    if (!method.edges) continue;
-    ++methods_with_edges;
-    for (const Facet& f : facets) {
-      const int first = f[0].x > 1000 ? 15999 : -1;
-      Canvas canvas(40, 40, first, first);
-      std::get<methods::DrawFacet>(method.draw)(f, canvas);
-      for (int y = first; y < first + 40; ++y) {
-        for (int x = first; x < first + 40; ++x) {
-          const methods::OwnEdges own = method.edges(f, x, y);
-          const bool passes =
-              own && std::all_of(own->begin(), own->end(), [](const auto& e) { return e.passes; });
-          // int32 wraps outside the box too, where the method does not look.
-          if (method.name == "edge_fixed_s8_int32" && canvas.hits()[canvas.index(x, y)] == 0)
-            continue;
-          ASSERT_EQ(passes, canvas.hits()[canvas.index(x, y)] != 0)
-              << method.name << " (" << x << ", " << y << ")";
-        }
-      }
-    }
-  }
-  EXPECT_GE(methods_with_edges, 27);
-}
-
-TEST(MethodAccounts, OwnEdgesOfExactMethodsAreTheExactOnesInTheirOrder) {
-  const std::vector<Facet> facets{facet_of({1.5, 2.5}, {2.5, 13.5}, {14.5, 3.5}),
-                                  facet_of({1.5, 2.5}, {14.5, 3.5}, {2.5, 13.5})};
-  const Drawing drawing = methods::drawing_of(facets, 16, 16);
-  for (const char* name : {"edge_double_relative", "edge_fixed_s8", "edge_fixed_s12",
-                           "edge_fixed_s8_int32", "fill_top_left", "hack_all"}) {
-    const MethodPixel pixel = pixel_of(*methods::find(name), drawing, 2, 5, 5, 16);
-    for (const MethodAccount& account : pixel.accounts) {
-      const PieceDecision& piece = account.pieces[0];
-      ASSERT_TRUE(piece.own.has_value()) << name;
-      for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_EQ((*piece.own)[i].raw, piece.edge[i].value) << name << ", edge " << i;
-        const auto& biased = (*piece.own)[i].biased;
-        if (!biased) continue;
-        EXPECT_EQ(*biased < (*piece.own)[i].raw, piece.edge[i].kind == RuleEdge::kOther)
-            << name << ", edge " << i;
-      }
-    }
-  }
-}
-
 TEST(MethodAccounts, TruthIsSnappedWhereTheMethodSnaps) {
   // Before snapping the centre (0.5, 0.5) is inside by 1/1000 px, after it on the left of the edge.
   const std::vector<Facet> facets{facet_of({0.499, 0}, {4, 0}, {0.499, 4})};
@@ -251,12 +182,12 @@ TEST(MethodAccounts, TruthIsSnappedWhereTheMethodSnaps) {
   EXPECT_EQ(real.fate, MethodFate::kOutside);
 }
 
+methods::ClipPoint clip_point(double x, double y, double z) { return {{x, y, z, 1}, {}}; }
+
 TEST(MethodAccounts, TriangleThatIsCutAwayIsClipped) {
-  const auto at = [](double x, double w) { return methods::ClipPoint{{x, -w, 0, w}, {}}; };
   const std::vector<methods::ClipFacet> clip{
-      {at(-1, -1), at(1, -1), at(0, -2)},
-      {methods::ClipPoint{{-1, -1, 0, 1}, {}}, methods::ClipPoint{{1, -1, 0, 1}, {}},
-       methods::ClipPoint{{0, 1, 0, 1}, {}}}};
+      {clip_point(-1, -1, 2), clip_point(1, -1, 2), clip_point(0, 1, 2)},  // beyond far
+      {clip_point(-1, -1, 0), clip_point(1, -1, 0), clip_point(0, 1, 0)}};
   const Drawing drawing = methods::drawing_of(clip, 8, 8);
   for (const char* name : {"edge_fixed_s8", "parity_exact", "line_exact", "clip_guard_band"}) {
     const MethodPixel pixel = pixel_of(*methods::find(name), drawing, 2, 4, 4, 8);
@@ -265,6 +196,31 @@ TEST(MethodAccounts, TriangleThatIsCutAwayIsClipped) {
     EXPECT_NE(pixel.accounts[1].fate, MethodFate::kClipped) << name;
     EXPECT_EQ(count(pixel, MethodFate::kClipped), 1u) << name;
   }
+  // A method that draws it all the same: nothing of it is beside the other.
+  Method all = *methods::find("clip_none");
+  all.attributes = false;
+  all.draw = methods::DrawClip([](const auto&, const auto&, Canvas& canvas) { canvas.hit(4, 4); });
+  const MethodPixel pixel = pixel_of(all, drawing, 2, 4, 4, 8);
+  EXPECT_EQ(pixel.accounts[0].fate, MethodFate::kFalseHit);
+  EXPECT_EQ(pixel.accounts[1].fate, MethodFate::kCovers);
+}
+
+TEST(MethodAccounts, PiecesOfATriangleOwnWhatItOwns) {
+  // Far cuts it into two pieces.
+  const std::vector<methods::ClipFacet> clip{
+      {clip_point(-1, -1, -0.5), clip_point(1, -1, -0.5), clip_point(0, 1, 2)}};
+  const Drawing drawing = methods::drawing_of(clip, 8, 8);
+  ASSERT_EQ(drawing.facets.size(), 2u);
+  std::uint32_t owned = 0;
+  for (int i = 0; i < 64; ++i) {
+    const MethodPixel pixel =
+        pixel_of(*methods::find("edge_fixed_s8"), drawing, 1, i % 8, i / 8, 8);
+    const MethodAccount& account = pixel.accounts[0];
+    EXPECT_FALSE(is_mistake(account.fate)) << i % 8 << ", " << i / 8;
+    EXPECT_EQ(account.pieces.size(), 2u);
+    owned += account.owns;
+  }
+  EXPECT_GT(owned, 10u);
 }
 
 TEST(MethodAccounts, LinesAreAccountedBySegments) {
@@ -272,11 +228,46 @@ TEST(MethodAccounts, LinesAreAccountedBySegments) {
   ASSERT_EQ(pixel.accounts[0].segments.size(), 3u);
   EXPECT_EQ(pixel.hits, pixel.owns);
   EXPECT_EQ(count(pixel, MethodFate::kCovers), 2u);  // the shared edge is drawn for both
+  for (const MethodAccount& account : pixel.accounts) {
+    std::uint32_t hits = 0;
+    for (const SegmentDecision& segment : account.segments) {
+      EXPECT_EQ(segment.hits, segment.owns);
+      hits += segment.hits;
+    }
+    EXPECT_EQ(hits, account.hits);
+  }
   Method gone = *methods::find("line_exact");
   gone.draw = methods::DrawSegment([](const methods::Segment&, Canvas&) {});
   EXPECT_EQ(count(quad_pixel(gone, 2, 5), MethodFate::kGap), 2u);
   gone.draw = methods::DrawSegment([](const methods::Segment&, Canvas& c) { c.hit(1, 1); });
   EXPECT_EQ(count(quad_pixel(gone, 1, 1), MethodFate::kFalseHit), 2u);
+}
+
+TEST(MethodAccounts, TriangleWithOneOfItsTwoLinesDrawnIsMissed) {
+  const Drawing drawing =
+      methods::drawing_of(std::vector{facet_of({0.5, 0.5}, {7.5, 0.5}, {0.5, 0.75})}, 8, 8);
+  Method first = *methods::find("line_exact");
+  first.draw = methods::DrawSegment([](const methods::Segment& s, Canvas& canvas) {
+    if (s.from.y == s.to.y) canvas.hit(3, 0);
+  });
+  const MethodPixel pixel = pixel_of(first, drawing, 1, 3, 0, 8);
+  EXPECT_EQ(pixel.owns, 2u);
+  EXPECT_EQ(pixel.hits, 1u);
+  EXPECT_EQ(pixel.accounts[0].fate, MethodFate::kMissed);
+}
+
+TEST(MethodAccounts, LinesHaveNoTrianglesBesideThem) {
+  const std::vector<Facet> two{facet_of({0.5, 0.5}, {6.5, 0.5}, {0.5, 6.5}),
+                               facet_of({7.5, 1.5}, {7.5, 7.5}, {1.5, 7.5})};
+  const Method& exact = *methods::find("line_exact");
+  Method extra = exact;
+  extra.draw = methods::DrawSegment([&exact](const methods::Segment& s, Canvas& canvas) {
+    std::get<methods::DrawSegment>(exact.draw)(s, canvas);
+    if (s.from.y == s.to.y && s.from.y < 1) canvas.hit(7, 4);
+  });
+  const MethodPixel pixel = pixel_of(extra, methods::drawing_of(two, 8, 8), 2, 7, 4, 8);
+  EXPECT_EQ(pixel.accounts[0].fate, MethodFate::kFalseHit);
+  EXPECT_EQ(pixel.accounts[1].fate, MethodFate::kCovers);
 }
 
 }  // namespace

@@ -2,35 +2,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """halfspace methods, and render --method, as a user runs them."""
 import json
-import os
-import pathlib
-import subprocess
-import tempfile
+import sys
 import unittest
 
-PROGRAM = os.environ["HALFSPACE"]
-TESTS = pathlib.Path(os.environ["HALFSPACE_TESTS"])
-TEAPOT = TESTS / "scenes" / "teapot.obj"
-PUBLIC = TESTS / "data" / "public.tcov"
+sys.dont_write_bytecode = True
+from program import PUBLIC, SCENES, TESTS, Program
+
+TEAPOT = SCENES / "teapot.obj"
 
 
-class Methods(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.out = pathlib.Path(self.folder.name)
-
-    def tearDown(self):
-        self.folder.cleanup()
-
-    def run_program(self, *args):
-        return subprocess.run([PROGRAM, *map(str, args)], capture_output=True, text=True,
-                              timeout=120)
-
-    def succeed(self, *args):
-        done = self.run_program(*args)
-        self.assertEqual(done.returncode, 0, f"{args}: {done.stderr}")
-        return done.stdout
-
+class Methods(Program):
     def draw(self, *args):
         """The picture's bytes and the CRC of its hit counts."""
         png, stats = self.out / "p.png", self.out / "p.json"
@@ -38,7 +19,7 @@ class Methods(unittest.TestCase):
         return png.read_bytes(), json.loads(stats.read_text())["coverage_crc32"]
 
     def methods(self):
-        return json.loads(self.succeed("methods", "--json"))
+        return json.loads(self.succeed("methods", "--json").stdout)
 
     def test_lists_eighteen_rows_with_every_field(self):
         listed = self.methods()
@@ -48,7 +29,7 @@ class Methods(unittest.TestCase):
                         "source"):
                 self.assertTrue(m[key], f"{m['name']}: {key}")
             self.assertIn(f"`{m['name']}`", (TESTS.parent / m["page"]).read_text())
-        text = self.succeed("methods")
+        text = self.succeed("methods").stdout
         for m in listed:
             self.assertIn(m["name"] + " ", text)
 
@@ -81,10 +62,7 @@ class Methods(unittest.TestCase):
                            ("HS071", ("--method", "line_dda", "--shade", "depth")),
                            ("HS071", ("--method", "shade_affine", "--shade", "tiles")),
                            ("HS001", ("--method", "line_dda", "--level", "bit"))):
-            done = self.run_program("render", TEAPOT, "--out", out, *args)
-            self.assertEqual(done.returncode, 2, args)
-            self.assertRegex(done.stderr, rf"\Ahalfspace: error\[{code}\]: [^\n]+\n\Z")
-            self.assertFalse(out.exists())
+            self.refuse(code, "render", TEAPOT, "--out", out, *args)
 
 
 if __name__ == "__main__":
