@@ -12,6 +12,7 @@ TEST(OwnEdges, OwnEdgeValuesDecideTheHits) {
   facets.push_back(facet_of({1.5, 2.5}, {2.5, 13.5}, {14.5, 3.5}));
   facets.push_back(facet_of({16000.25, 16001}, {16013, 16002.125}, {16004.75, 16015}));
   for (const Facet& f : separate(5, 16, 2, 0)) facets.push_back(f);
+  facets.push_back(facet_of({1.5, 1.5}, {5.5, 1.5}, {9.5, 1.5}));  // no area, on centres
   int methods_with_edges = 0;
   for (const Method& method : methods::all()) {
     if (!method.edges) continue;
