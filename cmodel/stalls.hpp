@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "splitmix.hpp"
+
 namespace halfspace {
 
 // When the outside world holds the rasterizer up: gaps before triangles at its input and clocks at
@@ -38,12 +40,8 @@ class Stalls {
   }
 
  private:
-  // splitmix64's finalizer.
   std::uint64_t hash(std::uint64_t index) const {
-    std::uint64_t z = seed_ * 0xd1342543de82ef95u + (index + 1) * 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
+    return splitmix_mixed(seed_ * 0xd1342543de82ef95u + (index + 1) * kSplitmixStep);
   }
 
   std::uint64_t threshold_ = 0;

@@ -51,9 +51,7 @@ int run(const BenchRequest& request) {
     const std::vector<BenchRow> rows = run_bench(request.options);
     fmt::print("{}", bench_table(rows));
     if (!request.out.empty()) {
-      OutputFile file(request.out);
-      file.write(bench_json(rows));
-      file.commit();
+      write_text(request.out, bench_json(rows));
     }
   } catch (const BenchMismatch& mismatch) {
     fmt::print(stderr, "halfspace: bench: {}\n", mismatch.what());

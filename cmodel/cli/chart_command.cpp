@@ -58,9 +58,7 @@ int run_chart(const ChartOptions& options) {
   if (drawn) {
     draw_chart(options.name, data, options.out);
   } else {
-    OutputFile file(options.out);
-    file.write(data.dump(1) + "\n");
-    file.commit();
+    write_text(options.out, data.dump(1) + "\n");
   }
   return 0;
 }

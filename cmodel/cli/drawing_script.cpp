@@ -76,9 +76,7 @@ void draw_chart(const std::string& name, const nlohmann::ordered_json& data,
   picture.replace_filename(fmt::format("{}.partial-{}{}", whole.stem().string(), ::getpid(),
                                        whole.extension().string()));
   const std::string json = picture.string() + ".json";
-  OutputFile file(json);
-  file.write(data.dump() + "\n");
-  file.commit();
+  write_text(json, data.dump() + "\n");
   const RemovedOnInterrupt data_removed(json);
   const RemovedOnInterrupt picture_removed(picture.string());
   const int status = run({kPython, script().string(), "draw", name, json, picture.string()});

@@ -13,6 +13,7 @@
 #include "../fit/report.hpp"
 #include "../io/config_json.hpp"
 #include "../io/error.hpp"
+#include "../io/escape.hpp"
 #include "../io/output_file.hpp"
 #include "command.hpp"
 #include "number_checks.hpp"
@@ -80,12 +81,6 @@ void check(const FitArguments& a) {
                 "nothing to write: give --out FILE, --emit-rtl DIR or --report DIR");
   }
   if (!a.out.empty()) check_writable(a.out);
-}
-
-void write_text(const fs::path& path, const std::string& text) {
-  OutputFile file(path.string());
-  file.write(text);
-  file.commit();
 }
 
 // What cosim.sh and --cosim run.

@@ -123,9 +123,7 @@ int run_report(const ReportOptions& options) {
   data.accumulator = chart("accumulator");
   data.stability = chart("stability");
   draw_worst(options.scene, folder, data);
-  OutputFile page(folder.file("index.html"));
-  page.write(report_html(data));
-  page.commit();
+  write_text(folder.file("index.html"), report_html(data));
   folder.commit();
   fmt::print("{}\n", (fs::path(options.out) / "index.html").string());
   return 0;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "../io/escape.hpp"
+
 namespace halfspace {
 namespace {
 
@@ -25,18 +27,6 @@ td, th { padding: .2rem .8rem; border-bottom: 1px solid #e2e8f0; text-align: rig
 td:first-child, th:first-child { text-align: left; }
 .good { color: #276749; } .bad { color: #c53030; }
 )";
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&') out += "&amp;";
-    if (c == '<') out += "&lt;";
-    if (c == '>') out += "&gt;";
-    if (c == '"') out += "&quot;";
-    if (c != '&' && c != '<' && c != '>' && c != '"') out += c;
-  }
-  return out;
-}
 
 std::string row(const std::vector<std::string>& cells, const char* tag = "td") {
   std::string out = "<tr>";

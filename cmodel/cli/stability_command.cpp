@@ -58,9 +58,7 @@ int run_stability(const StabilityOptions& options) {
     fmt::print("{}", stability_table(json));
     return 0;
   }
-  OutputFile file(options.out);
-  file.write(json.dump(1) + "\n");
-  file.commit();
+  write_text(options.out, json.dump(1) + "\n");
   return 0;
 }
 

@@ -116,7 +116,7 @@ VectorSet from_scene(const VectorsRequest& request, VectorMeta meta, const Frame
   const std::string bytes = read_file(request.in);
   meta.source = scene->frames() > 0 && scene->case_id(0) >= 0 ? "tcov" : "mesh";
   meta.source_name = std::filesystem::path(request.in).filename().string();
-  meta.source_crc = crc32_of(std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
+  meta.source_crc = crc32_of(bytes);
   Maker maker(meta, request.stall);
   std::uint64_t left = request.count == 0 ? ~std::uint64_t{0} : request.count;
   for (std::size_t i = 0; i < scene->frames() && left > 0; ++i) {

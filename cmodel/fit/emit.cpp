@@ -12,18 +12,13 @@
 #include "../io/config_json.hpp"
 #include "../io/config_package.hpp"
 #include "../io/error.hpp"
+#include "../io/escape.hpp"
 #include "../io/output_file.hpp"
 
 namespace halfspace {
 namespace {
 
 namespace fs = std::filesystem;
-
-void write_text(const fs::path& path, const std::string& text) {
-  OutputFile file(path.string());
-  file.write(text);
-  file.commit();
-}
 
 std::vector<std::string> lines_of(const fs::path& path) {
   std::vector<std::string> lines;
@@ -93,12 +88,6 @@ echo 'building halfspace with this RTL (minutes; log: build.log)'
 }  // namespace
 
 std::string emitted_stats(std::size_t run) { return fmt::format("cosim_{}.json", run); }
-
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
-}
 
 void emit_rtl(const std::string& folder, const std::string& source, const Config& config,
               const std::vector<EmitRun>& runs) {

@@ -29,7 +29,4 @@ std::string emitted_stats(std::size_t run);
 // log when it fails.
 void run_tool(const std::string& command, const std::string& log, const std::string& what);
 
-// text in single quotes, for a shell.
-std::string quoted(const std::string& text);
-
 }  // namespace halfspace

@@ -8,6 +8,7 @@
 
 #include "../batch/coverage_engine.hpp"
 #include "../batch/cycle_engine.hpp"
+#include "../splitmix.hpp"
 
 namespace halfspace {
 namespace {
@@ -51,21 +52,12 @@ struct Ends {
   }
 };
 
-// splitmix64.
-std::uint64_t next_word(std::uint64_t& state) {
-  state += 0x9e3779b97f4a7c15u;
-  std::uint64_t z = state;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
-
 // `count` of the numbers 1 .. last, each as likely as any.
 std::vector<std::size_t> choose(std::size_t count, std::size_t last, std::uint64_t seed) {
   std::vector<std::size_t> all(last);
   std::iota(all.begin(), all.end(), 1);
   for (std::size_t i = 0; i < count; ++i) {
-    std::swap(all[i], all[i + next_word(seed) % (last - i)]);
+    std::swap(all[i], all[i + splitmix_next(seed) % (last - i)]);
   }
   all.resize(count);
   std::sort(all.begin(), all.end());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "../io/escape.hpp"
 #include "report.hpp"
 
 namespace halfspace {
@@ -24,14 +25,6 @@ struct Chart {
   double limit = 0;  // a line across; 0: none
   bool logarithmic = true;
 };
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  }
-  return out;
-}
 
 // A line chart, 420 x 240, axis labels at its ends and at the chosen point.
 std::string svg(const Chart& chart) {

@@ -100,9 +100,9 @@ class ObjChecker {
   double number(std::string_view token) const {
     if (token.empty()) broken("a number is missing");
     const std::optional<double> value = parse_number(token);
-    if (!value) broken(quoted(token) + " is not a number");
+    if (!value) broken(shown(token) + " is not a number");
     if (!is_finite_float(*value)) {
-      fail(ErrorCode::kMeshNotFinite, quoted(token) + " is not a finite single-precision number",
+      fail(ErrorCode::kMeshNotFinite, shown(token) + " is not a finite single-precision number",
            line_);
     }
     return *value;
@@ -136,7 +136,7 @@ class ObjChecker {
   std::int64_t index(std::string_view token, std::int64_t defined, const char* what,
                      std::vector<ForwardReference>& forward) const {
     const std::optional<std::int64_t> value = parse_integer(token);
-    if (!value) broken(quoted(token) + " is not an index");
+    if (!value) broken(shown(token) + " is not an index");
     if (*value == 0) fail(ErrorCode::kMeshIndex, "index 0: OBJ counts from 1", line_);
     if (*value < -defined) {
       fail(ErrorCode::kMeshIndex,
@@ -166,13 +166,13 @@ class ObjChecker {
     std::array<std::string_view, 3> part;
     std::size_t count = 0;
     for (std::string_view rest = token;;) {
-      if (count == part.size()) broken(quoted(token) + " has more than two slashes");
+      if (count == part.size()) broken(shown(token) + " has more than two slashes");
       const std::size_t slash = std::min(rest.find('/'), rest.size());
       part[count++] = rest.substr(0, slash);
       if (slash == rest.size()) break;
       rest.remove_prefix(slash + 1);
     }
-    if (part[count - 1].empty()) broken(quoted(token) + " ends in a slash");
+    if (part[count - 1].empty()) broken(shown(token) + " ends in a slash");
     const std::int64_t vertex =
         index(part[0], static_cast<std::int64_t>(vertices_.size()), "vertices", forward_vertices_);
     if (static_cast<std::size_t>(vertex) > used_.size()) {

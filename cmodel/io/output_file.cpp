@@ -70,6 +70,12 @@ void OutputGroup::commit() {
   for (const auto& file : files_) file->commit();
 }
 
+void write_text(const std::string& path, std::string_view text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
+
 void check_writable(const std::string& path) {
   if (path.empty()) throw Error(ErrorCode::kUsage, "", "an output has an empty name");
   OutputFile probe(path);

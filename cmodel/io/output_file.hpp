@@ -51,6 +51,9 @@ class OutputGroup {
   std::vector<std::unique_ptr<OutputFile>> files_;
 };
 
+// A file of that text.
+void write_text(const std::string& path, std::string_view text);
+
 // Throws Error(kFileWrite) when path could not be created: asked before long work starts.
 void check_writable(const std::string& path);
 

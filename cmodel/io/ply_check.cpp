@@ -89,7 +89,7 @@ class PlyChecker {
       } else if (keyword == "property") {
         read_property(line);
       } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
-        fail(quoted(keyword) + " is not a PLY header keyword");
+        fail(shown(keyword) + " is not a PLY header keyword");
       }
     }
     if (!has_format) fail("the header has no format line");
@@ -107,7 +107,7 @@ class PlyChecker {
     } else if (name == "binary_big_endian") {
       format_ = PlyFormat::kBigEndian;
     } else {
-      fail(quoted(name) + " is not a PLY format");
+      fail(shown(name) + " is not a PLY format");
     }
   }
 
@@ -116,7 +116,7 @@ class PlyChecker {
     element.name = next_token(line);
     const std::string_view count = next_token(line);
     const std::optional<std::int64_t> value = parse_integer(count);
-    if (!value || *value < 0) fail(quoted(count) + " is not a number of elements");
+    if (!value || *value < 0) fail(shown(count) + " is not a number of elements");
     element.count = *value;
     if (element.name == "vertex") vertices_ = element.count;
   }
@@ -126,7 +126,7 @@ class PlyChecker {
     const auto type = [&] {
       const std::string_view name = next_token(line);
       const PlyType found = ply_type(name);
-      if (found.size == 0) fail(quoted(name) + " is not a PLY type");
+      if (found.size == 0) fail(shown(name) + " is not a PLY type");
       return found;
     };
     PlyProperty property;
@@ -214,9 +214,9 @@ class PlyChecker {
     const std::string_view token = next_token(rest_);
     if (token.empty()) fail("the file ends before all its elements (here a " + element + ")");
     const std::optional<double> number = parse_number(token);
-    if (!number) fail(quoted(token) + " is not a number");
+    if (!number) fail(shown(token) + " is not a number");
     if (!type.is_float && *number != std::floor(*number)) {
-      fail(quoted(token) + " is not a whole number");
+      fail(shown(token) + " is not a whole number");
     }
     return *number;
   }

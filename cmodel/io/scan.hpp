@@ -58,7 +58,7 @@ inline bool is_finite_float(double value) {
 }
 
 // A token as it is quoted in an error: at most 32 printable characters.
-inline std::string quoted(std::string_view token) {
+inline std::string shown(std::string_view token) {
   std::string text = "'";
   for (const char c : token.substr(0, 32)) text += c >= ' ' && c <= '~' ? c : '?';
   return text + (token.size() > 32 ? "...'" : "'");

@@ -65,7 +65,7 @@ class StlText {
       in_facet_ = false;
       ++facets_;
     } else if (!keyword.empty() && keyword != "outer" && keyword != "endloop") {
-      fail(quoted(keyword) + " is not an STL keyword");
+      fail(shown(keyword) + " is not an STL keyword");
     }
   }
 
@@ -73,9 +73,9 @@ class StlText {
     for (int i = 0; i < 3; ++i) {
       const std::string_view token = next_token(line);
       const std::optional<double> value = parse_number(token);
-      if (!value) fail(token.empty() ? "a number is missing" : quoted(token) + " is not a number");
+      if (!value) fail(token.empty() ? "a number is missing" : shown(token) + " is not a number");
       if (!is_finite_float(*value)) {
-        fail(quoted(token) + " is not a finite single-precision number", ErrorCode::kMeshNotFinite);
+        fail(shown(token) + " is not a finite single-precision number", ErrorCode::kMeshNotFinite);
       }
     }
   }

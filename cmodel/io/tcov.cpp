@@ -196,4 +196,9 @@ std::uint32_t crc32_of(const std::vector<std::uint8_t>& bytes, std::uint32_t bef
   return static_cast<std::uint32_t>(::crc32_z(before, bytes.data(), bytes.size()));
 }
 
+std::uint32_t crc32_of(std::string_view bytes, std::uint32_t before) {
+  const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+  return static_cast<std::uint32_t>(::crc32_z(before, data, bytes.size()));
+}
+
 }  // namespace halfspace

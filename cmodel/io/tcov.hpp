@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "../config.hpp"
@@ -51,5 +52,6 @@ TcovTriangles tcov_triangles(const TcovCase& tcov, const Config& config, const s
 
 // CRC-32 (zlib's polynomial) of bytes that follow those whose CRC is `before`.
 std::uint32_t crc32_of(const std::vector<std::uint8_t>& bytes, std::uint32_t before = 0);
+std::uint32_t crc32_of(std::string_view bytes, std::uint32_t before = 0);
 
 }  // namespace halfspace

@@ -18,9 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string crc_text(const std::string& bytes) {
-  return fmt::format("{:08x}", crc32_of(std::vector<std::uint8_t>(bytes.begin(), bytes.end())));
-}
+std::string crc_text(const std::string& bytes) { return fmt::format("{:08x}", crc32_of(bytes)); }
 
 [[noreturn]] void broken(const std::string& place, const std::string& text) {
   throw Error(ErrorCode::kVectorsBroken, place, text);

@@ -169,7 +169,7 @@ std::int64_t parse_field(std::string_view text, const PortField& field, const st
     value = static_cast<std::int64_t>(unsigned_value);
   }
   if (!good) {
-    broken(place, fmt::format("{} = {} is not a{} number of {} bits", field.name, quoted(text),
+    broken(place, fmt::format("{} = {} is not a{} number of {} bits", field.name, shown(text),
                               field.is_signed ? " signed" : "n unsigned", field.bits));
   }
   return value;

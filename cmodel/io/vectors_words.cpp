@@ -51,10 +51,6 @@ class ByteReader {
   std::string place_;
 };
 
-std::uint32_t crc_of(std::string_view bytes) {
-  return crc32_of(std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
-}
-
 // Whether the padding above a packed word's bits is zero.
 bool padded(const PortWords& words, int bits) {
   return bits % 32 == 0 || words.back() >> (bits % 32) == 0;
@@ -131,7 +127,7 @@ std::string vectors_to_binary(const VectorSet& set) {
   }
   std::string out(kMagic);
   put_bytes(out, kVectorVersion, 4);
-  put_bytes(out, crc_of(body), 4);
+  put_bytes(out, crc32_of(body), 4);
   return out + body;
 }
 
@@ -142,7 +138,7 @@ VectorSet vectors_from_binary(const std::string& bytes, const std::string& place
   if (version != kVectorVersion) {
     broken(place, fmt::format("version {}, this program reads {}", version, kVectorVersion));
   }
-  if (reader.number(4) != crc_of(std::string_view(bytes).substr(kPrefix))) {
+  if (reader.number(4) != crc32_of(std::string_view(bytes).substr(kPrefix))) {
     broken(place, "the CRC-32 is not that of the bytes");
   }
   const std::string json(reader.take(reader.number(4)));

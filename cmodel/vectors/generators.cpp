@@ -152,14 +152,6 @@ std::array<Point, 3> vertices(Random& random, Shape shape, const FrameState& fra
 
 }  // namespace
 
-std::uint64_t Random::next() {
-  state_ += 0x9e3779b97f4a7c15u;
-  std::uint64_t z = state_;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
-
 std::int64_t Random::in(std::int64_t low, std::int64_t high) {
   const auto span = static_cast<std::uint64_t>(high - low) + 1;
   return low + static_cast<std::int64_t>(((next() >> 32) * span) >> 32);

@@ -10,6 +10,7 @@
 
 #include "config.hpp"
 #include "packets.hpp"
+#include "splitmix.hpp"
 
 namespace halfspace {
 
@@ -18,7 +19,7 @@ namespace halfspace {
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next();
+  std::uint64_t next() { return splitmix_next(state_); }
   // A value of low..high, both included; low <= high, high - low < 2^32. Uniform to within 2^-32.
   std::int64_t in(std::int64_t low, std::int64_t high);
 

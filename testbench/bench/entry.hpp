@@ -11,6 +11,7 @@
 
 #include "bench.hpp"
 #include "framebuffer.hpp"
+#include "splitmix.hpp"
 #include "workload.hpp"
 
 namespace halfspace {
@@ -25,11 +26,7 @@ struct MaskSum {
   void add(std::uint32_t column, std::uint32_t row, std::uint64_t mask) {
     samples += static_cast<std::uint64_t>(std::popcount(mask));
     ++tiles;
-    // The finishing steps of splitmix64.
-    std::uint64_t x = mask + 0x9e3779b97f4a7c15u * (std::uint64_t{row} << 32 | column);
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    digest += x ^ (x >> 31);
+    digest += splitmix_mixed(mask + kSplitmixStep * (std::uint64_t{row} << 32 | column));
   }
   bool operator==(const MaskSum&) const = default;
 };

@@ -217,7 +217,7 @@ MethodFate fate_of(const MethodAccount& a, const std::vector<const MethodAccount
   };
   if (a.hits == 0 && a.owns == 0) {
     if (a.facets == 0) return MethodFate::kClipped;
-    return on_edge(a) && !lines ? MethodFate::kTieLost : MethodFate::kOutside;
+    return on_edge(a) ? MethodFate::kTieLost : MethodFate::kOutside;
   }
   if (a.hits > a.owns) {
     const bool twice = a.owns != 0 || any_beside([](const MethodAccount& b) {
