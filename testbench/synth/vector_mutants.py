@@ -10,7 +10,10 @@ Prints killed / total, and how many of the survivors are on bits that no output 
 no test could find them; exits with 1 when the share is below --least or when the design without a
 fault fails.
 
---bits-only compares packets and their order, not clocks.
+--bits-only compares packets and their order, not clocks. --only FILE plays the faults that another
+run of the same --count and --seed left in its --survivors. --prove SECONDS asks a SAT solver
+whether a survivor is equivalent: from any state and input, reachable or not, the same next state
+and outputs.
 """
 import argparse
 import concurrent.futures
@@ -124,6 +127,40 @@ def unread_bits(folder):
     return unread
 
 
+def cut_registers(source, target, top):
+    """Makes what registers hold inputs of the module and what they get outputs."""
+    design = json.loads(source.read_text())
+    (module,) = design["modules"].values()
+    registers = sorted(n for n, cell in module["cells"].items() if "Q" in cell["connections"])
+    for number, name in enumerate(registers):
+        for port, bits in module["cells"].pop(name)["connections"].items():
+            if port != "CLK":
+                label = f"register{number}_{port}"
+                direction = "input" if port == "Q" else "output"
+                module["ports"][label] = {"direction": direction, "bits": bits}
+                module["netnames"][label] = {"hide_name": 0, "bits": bits, "attributes": {}}
+    target.write_text(json.dumps({**design, "modules": {top: module}}))
+
+
+def equivalent(folder, number, fault, seconds):
+    """Proven by SAT within that time."""
+    work = folder / f"proof{number}"
+    work.mkdir()
+    for name, change in (("gold", ""), ("gate", fault)):
+        run(["yosys", "-q", "-p", f"read_ilang {folder}/design.il; {change}; opt_clean; "
+             f"write_json {work}/raw.json"], work)
+        cut_registers(work / "raw.json", work / f"{name}.json", name)
+    done = run(["yosys", "-q", "-p", "read_json gold.json; read_json gate.json; opt_clean; "
+                "miter -equiv -ignore_gold_x -flatten gold gate miter; hierarchy -top miter; "
+                "delete gold gate; opt_merge -share_all; opt_expr -fine; opt_clean; "
+                "opt_merge -share_all; opt_expr -full; opt_clean; "
+                f"sat -verify -prove trigger 0 -timeout {seconds} miter"], work, check=False)
+    if done.returncode != 0 and not re.search("proof did (fail|time out)", done.stderr):
+        sys.exit(f"vector_mutants: the proof of fault {number} failed:\n{done.stderr[-2000:]}")
+    shutil.rmtree(work)
+    return done.returncode == 0
+
+
 def build(folder):
     if shutil.which("ccache"):
         os.environ["OBJCACHE"] = "ccache"
@@ -153,6 +190,9 @@ def main():
     parser.add_argument("--least", type=float, default=0, help="share that must be killed, 0..1")
     parser.add_argument("--bits-only", action="store_true")
     parser.add_argument("--survivors", help="file for the survivors, a line each")
+    parser.add_argument("--only", help="the survivors of another run: play these alone")
+    parser.add_argument("--prove", type=int, default=0, metavar="SECONDS",
+                        help="for each survivor: try to prove it equivalent")
     parser.add_argument("--jobs", type=int, default=2)
     o = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
@@ -166,27 +206,44 @@ def main():
         clean, why = play(folder, 0, options)
         if not clean:
             sys.exit(f"vector_mutants: the design without a fault fails: {why}")
+        numbers = range(1, len(faults) + 1)
+        if o.only:
+            lines = pathlib.Path(o.only).read_text().splitlines()
+            numbers = [int(line.split()[0]) for line in lines]
+            if any(faults[int(line.split()[0]) - 1] not in line for line in lines):
+                sys.exit(f"vector_mutants: {o.only}: not the faults of this --count and --seed")
         with concurrent.futures.ThreadPoolExecutor(o.jobs) as pool:
-            results = list(pool.map(lambda n: play(folder, n, options), range(1, len(faults) + 1)))
-        unread = unread_bits(folder)
-    passed = [(n, fault) for n, (fault, (ok, _)) in enumerate(zip(faults, results), 1) if ok]
-    survivors = [f"{n} {'unread ' if unread(fault) else ''}{fault}" for n, fault in passed]
-    equivalent = sum(unread(fault) for _, fault in passed)
-    killed = len(faults) - len(survivors)
-    counts = manifest["counts"]
+            results = list(pool.map(lambda n: play(folder, n, options), numbers))
+            unread = unread_bits(folder)
+            passed = [n for n, (ok, _) in zip(numbers, results) if ok]
+            dead = {n for n in passed if unread(faults[n - 1])}
+            asked = [n for n in passed if o.prove and n not in dead]
+            proofs = pool.map(lambda n: equivalent(folder, n, faults[n - 1], o.prove), asked)
+            proven = {n for n, same in zip(asked, proofs) if same}
+    report(o, manifest, results, passed, dead, proven)
+    if o.survivors:
+        marks = {**{n: "unread " for n in dead}, **{n: "equivalent " for n in proven}}
+        pathlib.Path(o.survivors).write_text(
+            "".join(f"{n} {marks.get(n, '')}{faults[n - 1]}\n" for n in passed))
+    killed = len(results) - len(passed)
+    sys.exit(0 if results and killed >= o.least * len(results) else 1)
+
+
+def report(o, manifest, results, passed, dead, proven):
+    counts, killed = manifest["counts"], len(results) - len(passed)
     print(f"{pathlib.Path(o.vectors).name}: {counts['inputs']} inputs, "
-          f"{counts['outputs']} outputs: {killed} of {len(faults)} faults killed "
-          f"({100 * killed / max(len(faults), 1):.1f} %), "
-          f"{equivalent} of the others are on bits that no output depends on")
+          f"{counts['outputs']} outputs: {killed} of {len(results)} faults killed "
+          f"({100 * killed / max(len(results), 1):.1f} %), "
+          f"{len(dead)} of the others are on bits that no output depends on")
+    if o.prove:
+        print(f"  {len(proven):5} more are proven equivalent, "
+              f"{len(passed) - len(dead) - len(proven)} are not")
     reasons = {}
     for ok, why in results:
         if not ok:
             reasons[why] = reasons.get(why, 0) + 1
     for why, count in sorted(reasons.items(), key=lambda item: -item[1]):
         print(f"  {count:5} by: {why}")
-    if o.survivors:
-        pathlib.Path(o.survivors).write_text("\n".join(survivors) + "\n")
-    sys.exit(0 if faults and killed >= o.least * len(faults) else 1)
 
 
 if __name__ == "__main__":
