@@ -73,7 +73,7 @@ TEST(Bins, AnAreaOfOneBitHasABinOfItsOwn) {
   const auto bits = [](const std::array<double, 6>& v) {
     std::set<std::string> found;
     for (const std::string& name : hit_names(kFull, {64, 64, Cull::kNone}, {in_pixels(v, kFull)})) {
-      if (name.starts_with("area.")) found.insert(name);
+      if (name.starts_with("area.") || name.starts_with("width.area.")) found.insert(name);
     }
     return found;
   };
@@ -81,7 +81,7 @@ TEST(Bins, AnAreaOfOneBitHasABinOfItsOwn) {
   EXPECT_EQ(bits({8, 8, 10, 8, 8, 10}), Names{"area.bit18"});  // 2^9 x 2^9 subpixels
   EXPECT_EQ(bits({8, 8, 8, 40, 24, 8}), Names{"area.bit25"});  // 2^13 x 2^12, the other way
   EXPECT_EQ(bits({0, 0, 12, 4, 4, 12}), Names{"area.bit23"});  // 8 x 2^10 x 2^10
-  EXPECT_EQ(bits({8, 8, 11, 8, 8, 10}), Names{});              // 3 x 2 px: two bits
+  EXPECT_EQ(bits({8, 8, 14, 8, 8, 10}), Names{});              // 6 x 2 px: two bits
   EXPECT_EQ(bits({8, 8, 10, 8, 8, 9}), Names{});               // 2 x 1 px: too small for a bin
   EXPECT_EQ(bits({70, 8, 72, 8, 70, 10}), Names{});            // beyond the frame: not seen
   EXPECT_EQ(last_area_bit(kFull), 43);
