@@ -18,7 +18,7 @@ void require_extent(const Triangle& triangle, std::uint64_t index, const Config&
   const auto [x_min, x_max] = std::minmax({v[0].x, v[1].x, v[2].x});
   const auto [y_min, y_max] = std::minmax({v[0].y, v[1].y, v[2].y});
   const auto px = [&config](std::int32_t to, std::int32_t from) {
-    return std::ldexp(double{to} - double{from}, -config.subpixel_bits);
+    return std::ldexp(static_cast<double>(std::int64_t{to} - from), -config.subpixel_bits);
   };
   throw Error(ErrorCode::kFitRange, place,
               fmt::format("triangle {} spans {} x {} px: the configuration was fitted to less than "
