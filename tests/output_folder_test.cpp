@@ -72,6 +72,7 @@ TEST_F(OutputFolderTest, FolderThatIsThereKeepsWhatIsNotWrittenAnew) {
   put(base_ / "out/one", "old");
   OutputFolder folder((base_ / "out").string());
   put(folder.file("one"), "new");
+  folder.file("never written");
   EXPECT_EQ(text(base_ / "out/one"), "old");
   folder.commit();
   EXPECT_EQ(text(base_ / "out/one"), "new");
