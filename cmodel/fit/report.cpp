@@ -76,6 +76,15 @@ Json fifos_json(const FifoUses& uses) {
   return {{"clocks", uses.clocks}, {"fifo", list}};
 }
 
+Json cosim_json(const Json& run) {
+  Json some;
+  for (const char* key : {"identical", "stall", "seed", "cases", "cases_skipped", "triangles",
+                          "packets_compared", "cycles"}) {
+    some[key] = run.at(key);
+  }
+  return some;
+}
+
 const char* promise(const FitRanges& ranges) {
   if (ranges.cut_anyway) {
     return "A triangle reaches the eye's plane or beyond every guard band, so triangles are cut at "
@@ -166,20 +175,15 @@ Json fit_report_json(const FitReport& report) {
   if (report.measured) json["area"]["measured"] = *report.measured;
   if (report.measured_full) json["area"]["measured_full"] = *report.measured_full;
   if (r.fifos) json["fifos"] = fifos_json(*r.fifos);
-  for (const Json& run : report.cosim) {
-    Json some;
-    for (const char* key : {"identical", "stall", "seed", "cases", "cases_skipped", "triangles",
-                            "packets_compared", "cycles"}) {
-      some[key] = run.at(key);
-    }
-    json["cosim"].push_back(some);
-  }
+  for (const Json& run : report.cosim) json["cosim"].push_back(cosim_json(run));
   return json;
 }
 
-std::string fit_summary(const FitReport& report) {
-  const FitResult& r = report.result;
-  const Config& c = r.config;
+namespace {
+
+// Before and after, a row each.
+std::string summary_table(const FitReport& report) {
+  const Config& c = report.result.config;
   std::string out = fmt::format("{:<28}{:>10}{:>10}\n", "", "full", "fitted");
   const auto row = [&out](const char* name, auto full, auto fitted) {
     out += fmt::format("{:<28}{:>10}{:>10}\n", name, full, fitted);
@@ -217,6 +221,14 @@ std::string fit_summary(const FitReport& report) {
       share("yosys", report.measured_full->at("luts"), report.measured->at("luts"));
     }
   }
+  return out;
+}
+
+// What the fitted configuration does, a line each.
+std::string summary_lines(const FitReport& report) {
+  const FitResult& r = report.result;
+  const Config& c = r.config;
+  std::string out;
   const FitShape& shape = r.shapes[r.shape];
   out += fmt::format("{} clocks for {} view{}, {:.2f} px/clk\n", shape.clocks, report.views,
                      report.views == 1 ? "" : "s", shape.pixels_per_clock());
@@ -249,6 +261,12 @@ std::string fit_summary(const FitReport& report) {
                        run.at("cycles").dump());
   }
   return out;
+}
+
+}  // namespace
+
+std::string fit_summary(const FitReport& report) {
+  return summary_table(report) + summary_lines(report);
 }
 
 }  // namespace halfspace

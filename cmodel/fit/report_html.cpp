@@ -26,17 +26,36 @@ struct Chart {
   bool logarithmic = true;
 };
 
-// A line chart, 420 x 240, axis labels at its ends and at the chosen point.
-std::string svg(const Chart& chart) {
-  constexpr double kLeft = 75, kRight = 400, kTop = 30, kBottom = 200;
-  if (chart.points.size() < 2) return "";
-  // 0 has no logarithm: it is drawn a decade below the least of the others.
+// 0 has no logarithm: it is drawn a decade below the least of the others.
+double floor_of(const Chart& chart) {
   double least = chart.limit > 0 ? chart.limit : 1e30;
   for (const ChartPoint& p : chart.points) {
     if (p.y > 0) least = std::min(least, p.y);
   }
+  return least / 10;
+}
+
+std::string y_label(const ChartPoint& point, double x, double y) {
+  return fmt::format(
+      "<text x='{}' y='{:.1f}' text-anchor='end'>{}</text>", x, y,
+      point.y < 100 ? fmt::format("{:.3g}", point.y) : fmt::format("{:.0f}", point.y));
+}
+
+std::string axis_titles(const Chart& chart) {
+  return fmt::format(
+      "<text x='230' y='232' text-anchor='middle'>{}</text><text x='12' "
+      "y='120' transform='rotate(-90 12 120)' text-anchor='middle'>{}</text>"
+      "</svg>\n",
+      escaped(chart.x_label), escaped(chart.y_label));
+}
+
+// A line chart, 420 x 240, axis labels at its ends and at the chosen point.
+std::string svg(const Chart& chart) {
+  constexpr double kLeft = 75, kRight = 400, kTop = 30, kBottom = 200;
+  if (chart.points.size() < 2) return "";
+  const double floor = floor_of(chart);
   const auto height = [&](double y) {
-    return chart.logarithmic ? std::log10(std::max(y, least / 10)) : y;
+    return chart.logarithmic ? std::log10(std::max(y, floor)) : y;
   };
   double low = 1e30, high = -1e30;
   for (const ChartPoint& p : chart.points) {
@@ -79,24 +98,15 @@ std::string svg(const Chart& chart) {
   }
   out += fmt::format("<path d='{}' fill='none' stroke='#2a6'/>", line);
   const ChartPoint &first = chart.points.front(), &last = chart.points.back();
-  const auto label = [&](const ChartPoint& p) {
-    return fmt::format("<text x='{}' y='{:.1f}' text-anchor='end'>{}</text>", kLeft - 5,
-                       py(p.y) + 4,
-                       p.y < 100 ? fmt::format("{:.3g}", p.y) : fmt::format("{:.0f}", p.y));
-  };
-  out += label(first);
-  if (std::abs(py(first.y) - py(last.y)) > 12) out += label(last);
+  out += y_label(first, kLeft - 5, py(first.y) + 4);
+  if (std::abs(py(first.y) - py(last.y)) > 12) out += y_label(last, kLeft - 5, py(last.y) + 4);
   if (chart.limit > 0) {
     out += fmt::format(
         "<path d='M{0} {2:.1f}H{1}' stroke='#c22' stroke-dasharray='4 3'/>"
         "<text x='{1}' y='{3:.1f}' text-anchor='end' fill='#c22'>limit {4:g}</text>",
         kLeft, kRight, py(chart.limit), py(chart.limit) - 3, chart.limit);
   }
-  return out + fmt::format(
-                   "<text x='230' y='232' text-anchor='middle'>{}</text><text x='12' "
-                   "y='120' transform='rotate(-90 12 120)' text-anchor='middle'>{}</text>"
-                   "</svg>\n",
-                   escaped(chart.x_label), escaped(chart.y_label));
+  return out + axis_titles(chart);
 }
 
 std::vector<ChartPoint> points_of(const std::vector<AccuracyPoint>& curve) {
