@@ -39,7 +39,7 @@ class Bench(unittest.TestCase):
         return rows
 
     def refuse(self, code, *args, says=""):
-        out = () if "--out" in args else ("--out", self.out / "b.json")
+        out = () if {"--out", "--mesh-out"} & set(args) else ("--out", self.out / "b.json")
         done = self.run_bench(*out, *args)
         self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
         self.assertRegex(done.stderr, rf"^halfspace: error\[{code}\]: [^\n]*\n\Z")

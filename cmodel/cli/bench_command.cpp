@@ -87,7 +87,7 @@ Action add_bench_command(CLI::App& program) {
       ->capture_default_str();
   CLI::Option* mesh_out = command->add_option(
       "--mesh-out", request->mesh_out, "Write workload million's mesh as a PLY file and stop");
-  stands_alone(*command, mesh_out, {"--scale"});
+  stands_alone(*command, mesh_out, {"--scale", "--scenes"});
   command->footer(
       "Times are in ns per triangle: CPU time of the thread, or wall time for several threads.\n"
       "Example: halfspace bench --workload small medium --engine scalar coverage --out bench.json");
