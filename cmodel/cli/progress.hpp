@@ -33,14 +33,15 @@ class Progress {
   using Clock = std::chrono::steady_clock;
   void show();
 
-  std::string what_;
-  std::uint64_t total_;
+  // The library's show() (capi/silent_progress.cpp) reads none of them.
+  [[maybe_unused]] std::string what_;
+  [[maybe_unused]] std::uint64_t total_;
   std::uint64_t done_ = 0;
   std::uint64_t next_look_ = 256;
-  bool terminal_;
-  bool shown_ = false;
+  [[maybe_unused]] bool terminal_;
+  [[maybe_unused]] bool shown_ = false;
   Clock::time_point start_ = Clock::now();
-  Clock::time_point last_ = start_;
+  [[maybe_unused]] Clock::time_point last_ = start_;
 };
 
 }  // namespace halfspace
