@@ -51,9 +51,8 @@ class Refusals(unittest.TestCase):
 
     def test_a_second_output_that_fails_leaves_no_first(self):
         tcov = TESTS / "data/public.tcov"
-        for args in (("render", TEAPOT, "--size", "64x48", "--out", "a.png", "--stats", "/dev/full"),
-                     ("render", TEAPOT, "--size", "64x48", "--level", "cycle", "--out", "a.png",
-                      "--stats", "/dev/full", "--trace", "a.json"),
+        small = ("render", TEAPOT, "--size", "64x48", "--out", "a.png", "--stats", "/dev/full")
+        for args in (small, (*small, "--level", "cycle", "--trace", "a.json"),
                      ("coverage", tcov, "--out", "a.tcov", "--stats", "/dev/full"),
                      ("vectors", "--generate", "all", "--count", "3", "--config", "tiny", "--out",
                       "a.csv", "b.hsv", "--bench", "/proc/self")):
@@ -61,7 +60,8 @@ class Refusals(unittest.TestCase):
 
     def test_cameras_without_a_direction(self):
         for args in (("--eye", "1,2,3", "--target", "1,2,3"), ("--up", "0,0,0"),
-                     ("--eye", "1e200,0,0"), ("--target", "0,-1e101,0")):
+                     ("--eye", "1e200,0,0"), ("--ortho", "1", "--fov", "40"),
+                     ("--target", "0,-1e101,0")):
             self.refused("HS001", "render", TEAPOT, "--out", "a.png", *args)
 
     def test_options_that_would_do_nothing(self):
@@ -96,6 +96,33 @@ class Refusals(unittest.TestCase):
             twice = pathlib.Path(folder) / "twice.json"
             twice.write_text('{"samples": 1, "samples": 4}')
             self.refused("HS003", "render", TEAPOT, "--config", twice, "--out", "a.png")
+
+    def test_links_and_pipes_stay_what_they_are(self):
+        draw = (PROGRAM, "render", TEAPOT, "--size", "64x48", "--out")
+        (self.out / "link.png").symlink_to("real.png")
+        subprocess.run([*draw, self.out / "link.png"], check=True, timeout=60)
+        self.assertTrue((self.out / "link.png").is_symlink())
+        picture = (self.out / "real.png").read_bytes()
+        self.assertTrue(picture.startswith(b"\x89PNG"))
+
+        (self.out / "stdout").symlink_to("/proc/self/fd/1")
+        with open(self.out / "caught", "wb") as caught:
+            subprocess.run([*draw, self.out / "stdout"], stdout=caught, check=True, timeout=60)
+        self.assertTrue((self.out / "stdout").is_symlink())
+        self.assertEqual((self.out / "caught").read_bytes(), picture)
+
+        os.mkfifo(self.out / "pipe")
+        with subprocess.Popen(["cat", self.out / "pipe"], stdout=subprocess.PIPE) as reader:
+            subprocess.run([*draw, self.out / "pipe"], check=True, timeout=60)
+            self.assertEqual(reader.communicate(timeout=60)[0], picture)
+
+    def test_a_folder_in_the_way_keeps_the_rest_as_it_was(self):
+        (self.out / "page/index.html").mkdir(parents=True)
+        done = subprocess.run([PROGRAM, "report", TEAPOT, "--size", "64x48", "--out",
+                               self.out / "page"], capture_output=True, text=True, timeout=300)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("error[HS030]", done.stderr)
+        self.assertEqual(list((self.out / "page").iterdir()), [self.out / "page/index.html"])
 
     def test_views_that_show_nothing(self):
         self.refused("HS041", "report", TEAPOT, *AWAY, "--out", "page")

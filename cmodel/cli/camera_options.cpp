@@ -45,7 +45,8 @@ void CameraArguments::add_to(CLI::App& command, const std::string& look_at) {
       ->check(above_zero());
   command
       .add_option("--ortho", ortho, "Orthographic camera; picture height in world units, 0 to fit")
-      ->check(not_negative());
+      ->check(not_negative())
+      ->excludes(command.get_option("--fov"));
 }
 
 CameraOptions CameraArguments::options() const {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <iostream>
 #include <new>
 #include <system_error>
 
@@ -41,10 +42,10 @@ int run(int argc, char** argv) {
   actions.emplace_back("stability", halfspace::add_stability_command(program));
   try {
     program.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    return program.exit(help);
-  } catch (const CLI::CallForVersion& version) {
-    return program.exit(version);
+  } catch (const CLI::Success& said) {  // --help, --version
+    program.exit(said);
+    if (std::cout.flush()) return 0;
+    return fail(halfspace::ErrorCode::kFileWrite, "cannot write to standard output");
   } catch (const CLI::RequiredError& error) {
     // CLI11 takes a word that is no subcommand for a missing one.
     if (program.get_subcommands().empty() && argc > 1 && argv[1][0] != '-') {

@@ -16,19 +16,47 @@ namespace halfspace {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// Where a file of that name is to be written.
+struct Target {
+  fs::path path;  // behind all links
+  // A device such as /dev/full, a pipe, or what /dev/stdout stands for: there is nothing to rename.
+  bool in_place = false;
+};
+
+Target target_of(const std::string& path) {
+  constexpr int kMostLinks = 40;
+  std::error_code failed;
+  Target target{fs::absolute(path, failed).lexically_normal()};
+  for (int i = 0; i < kMostLinks; ++i) {
+    const std::string name = target.path.string();
+    target.in_place = name.starts_with("/proc/") || name.starts_with("/dev/fd/");
+    if (target.in_place || !fs::is_symlink(target.path, failed)) break;
+    const fs::path next = fs::read_symlink(target.path, failed);
+    target.path = (target.path.parent_path() / next).lexically_normal();
+  }
+  if (fs::exists(target.path, failed) && !fs::is_regular_file(target.path, failed)) {
+    target.in_place = true;
+  }
+  return target;
+}
+
+}  // namespace
+
 OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
   std::error_code ignored;
   if (fs::is_directory(path_, ignored)) {
     throw Error(ErrorCode::kFileWrite, path_, "cannot write: it is a directory");
   }
-  temporary_ = path_ + ".partial-" + std::to_string(::getpid());
-  // A device such as /dev/full or /dev/stdout is written in place: there is nothing to rename.
-  if (fs::exists(path_, ignored) && !fs::is_regular_file(path_, ignored)) temporary_ = path_;
+  const Target target = target_of(path_);
+  target_ = target.path.string();
+  temporary_ = target.in_place ? path_ : target_ + ".partial-" + std::to_string(::getpid());
   file_ = std::fopen(temporary_.c_str(), "wb");
   if (file_ == nullptr) {
     throw Error(ErrorCode::kFileWrite, path_, std::string("cannot write: ") + std::strerror(errno));
   }
-  if (temporary_ != path_) removed_.emplace(temporary_);
+  if (!target.in_place) removed_.emplace(temporary_);
 }
 
 OutputFile::~OutputFile() {
@@ -54,7 +82,7 @@ void OutputFile::finish() {
 void OutputFile::commit() {
   finish();
   if (!removed_) return;
-  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) {
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
     fail("cannot rename the finished file into place");
   }
   removed_.reset();
@@ -78,18 +106,23 @@ void write_text(const std::string& path, std::string_view text) {
 
 void check_writable(const std::string& path) {
   if (path.empty()) throw Error(ErrorCode::kUsage, "", "an output has an empty name");
+  std::error_code ignored;
+  if (target_of(path).in_place && !fs::is_directory(path, ignored)) {
+    // To open a pipe and close it would end what its reader reads.
+    if (::access(path.c_str(), W_OK) == 0) return;
+    throw Error(ErrorCode::kFileWrite, path, std::string("cannot write: ") + std::strerror(errno));
+  }
   OutputFile probe(path);
 }
 
 void check_distinct(const std::vector<std::string>& paths) {
   std::vector<fs::path> seen;
   for (const std::string& path : paths) {
+    if (path.empty()) continue;
+    const Target target = target_of(path);
+    if (target.in_place) continue;  // one after the other
     std::error_code ignored;
-    const fs::path whole = fs::weakly_canonical(fs::absolute(path, ignored), ignored);
-    // What is written to a device goes one after the other.
-    if (path.empty() || (fs::exists(whole, ignored) && !fs::is_regular_file(whole, ignored))) {
-      continue;
-    }
+    const fs::path whole = fs::weakly_canonical(target.path, ignored);
     if (std::find(seen.begin(), seen.end(), whole) != seen.end()) {
       throw Error(ErrorCode::kUsage, path, "two outputs have this name");
     }

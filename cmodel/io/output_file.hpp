@@ -14,7 +14,8 @@
 namespace halfspace {
 
 // A file that is whole or not there: written beside its destination under a temporary name and
-// renamed by commit(). Destroyed without commit(), it leaves nothing behind.
+// renamed by commit(). Destroyed without commit(), it leaves nothing behind. A link stays one: what
+// it names is written. Devices, pipes and /dev/stdout are written in place.
 // Every failure throws Error(kFileWrite) that names the destination and the reason.
 class OutputFile {
  public:
@@ -35,6 +36,7 @@ class OutputFile {
   [[noreturn]] void fail(const char* what);
 
   std::string path_;
+  std::string target_;  // path_ behind its links
   std::string temporary_;
   std::FILE* file_ = nullptr;
   std::optional<RemovedOnInterrupt> removed_;  // the temporary file is there

@@ -18,7 +18,9 @@ OutputFolder::OutputFolder(const std::string& path) : path_(fs::path(path).lexic
   if (path.empty() || (fs::exists(path_, ignored) && !fs::is_directory(path_, ignored))) {
     throw Error(ErrorCode::kFileWrite, path, "cannot create the folder");
   }
-  if (fs::exists(path_, ignored)) check_writable((path_ / "probe").string());
+  if (fs::exists(path_, ignored) && ::access(path_.c_str(), W_OK | X_OK) != 0) {
+    throw Error(ErrorCode::kFileWrite, path, "cannot write into the folder");
+  }
   std::vector<fs::path> missing;
   for (fs::path above = path_.parent_path(); !above.empty() && !fs::exists(above, ignored);
        above = above.parent_path()) {
@@ -68,6 +70,13 @@ void OutputFolder::commit() {
   if (!fs::exists(path_)) {
     fs::rename(temporary_, path_, error);
   } else {
+    for (const std::string& name : names_) {
+      if (fs::is_directory(path_ / name, error)) {  // before anything is moved
+        throw Error(ErrorCode::kFileWrite, (path_ / name).string(),
+                    "cannot write: it is a directory");
+      }
+    }
+    error.clear();
     for (const std::string& name : names_) {
       if (!error && fs::exists(temporary_ / name))
         fs::rename(temporary_ / name, path_ / name, error);

@@ -102,7 +102,7 @@ VectorFormat vector_format(const std::string& path, const std::string& name) {
                 fmt::format("'{:.40}' is not readmemh, csv, jsonl or binary", name));
   }
   throw Error(ErrorCode::kVectorRequest, path,
-              "the name does not end in .hex, .csv, .jsonl or .hsv: choose with --format");
+              "the name does not end in .hex, .csv, .jsonl or .hsv");
 }
 
 std::vector<NamedBytes> vector_files(const VectorSet& set, VectorFormat format,
