@@ -126,6 +126,27 @@ int run_vectors(const VectorsRequest& request) {
   return made.reached ? 0 : 1;
 }
 
+// Coverage bins, and the checking of files. After all others: some stand alone.
+void add_bin_options(CLI::App& command, VectorsRequest& request) {
+  command
+      .add_option("--goal", request.goal,
+                  "The fewest triangles found that hit this part of the reachable bins")
+      ->type_name("PERCENT");
+  command.add_option("--tries", request.tries, "Triangles that --goal draws at most")
+      ->check(whole(1))
+      ->capture_default_str();
+  command.add_option("--times", request.times, "How often --goal hits each bin, where it can")
+      ->capture_default_str();
+  CLI::Option* bins = command.add_option("--bins", request.bins,
+                                         "Report the bins that the triangles of a file hit");
+  command.add_flag("--list-bins", request.list_bins, "Report the bins that are hit too");
+  CLI::Option* check =
+      command.add_option("--check", request.check,
+                         "Build every expected result of a file or manifest again and compare");
+  stands_alone(command, check);
+  stands_alone(command, bins, {"--list-bins"});
+}
+
 }  // namespace
 
 Action add_vectors_command(CLI::App& program) {
@@ -174,22 +195,7 @@ Action add_vectors_command(CLI::App& program) {
   for (const char* other : {"--config", "--samples", "--generate", "--stage", "--size", "--case"}) {
     from->excludes(command->get_option(other));  // the vectors have their own
   }
-  command
-      ->add_option("--goal", o->goal,
-                   "The fewest triangles found that hit this part of the reachable bins")
-      ->type_name("PERCENT");
-  command->add_option("--tries", o->tries, "Triangles that --goal draws at most")
-      ->check(whole(1))
-      ->capture_default_str();
-  command->add_option("--times", o->times, "How often --goal hits each bin, where it can")
-      ->capture_default_str();
-  CLI::Option* bins =
-      command->add_option("--bins", o->bins, "Report the bins that the triangles of a file hit");
-  command->add_flag("--list-bins", o->list_bins, "Report the bins that are hit too");
-  CLI::Option* check = command->add_option(
-      "--check", o->check, "Build every expected result of a file or manifest again and compare");
-  stands_alone(*command, check);
-  stands_alone(*command, bins, {"--list-bins"});
+  add_bin_options(*command, *o);
   command->footer(
       "Exit status: 0 done, equal or goal reached; 1 --check found a difference, or bins are "
       "missed; 2 bad input.\n"
