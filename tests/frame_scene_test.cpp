@@ -4,6 +4,7 @@
 // make of the same mesh.
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -129,6 +130,67 @@ TEST(FrameScene, ClearLeavesNothingOfTheLastFrame) {
   EXPECT_EQ(once.framebuffer().tiles_touched(), again.framebuffer().tiles_touched());
   expect_equal(once.stats(), again.stats());
   EXPECT_EQ(once.geometry(), again.geometry());
+}
+
+// More than a piece keeps or draws at a time.
+TEST(FrameScene, ManyLargeTrianglesInAnyOrderOfSteps) {
+  const FrameState frame{400, 300, Cull::kNone};
+  const ShadedMesh mesh = hostile(9, 700, 1300);
+  for (const Config& config : {kFull, kMsaa4}) {
+    if (config.samples > 1) expect_same_frame(mesh, frame, config, coverage_isas());
+    const auto one = everything(mesh, frame, config, 1);
+    for (const int threads : {2, 3}) {
+      EXPECT_TRUE(one == everything(mesh, frame, config, threads)) << threads;
+    }
+  }
+}
+
+TEST(FrameScene, ClearForgetsADrawThatThrew) {
+  const FrameState frame{40, 30, Cull::kNone};
+  const ShadedMesh mesh = strip(4, 40000);
+  const std::span<const TriangleIndices> one = std::span(mesh.triangles).first(1);
+  FrameEngine fresh(frame, kFull);
+  fresh.draw(MeshView{mesh.positions, mesh.colors, one}, mesh.matrix);
+  for (const int threads : {1, 2}) {
+    SCOPED_TRACE(std::to_string(threads) + " threads");
+    int calls = 0;
+    FrameOptions options;
+    options.threads = threads;
+    options.run = run_on_threads;
+    options.on_triangles = [&calls](std::span<const Triangle>) {
+      if (++calls == 3) throw std::runtime_error("enough");
+    };
+    FrameEngine engine(frame, kFull, options);
+    EXPECT_THROW(engine.draw(mesh.view(), mesh.matrix), std::runtime_error);
+    engine.clear();
+    expect_equal(RasterStats{}, engine.stats());
+    EXPECT_EQ(GeometryStats{}, engine.geometry());
+    engine.draw(MeshView{mesh.positions, mesh.colors, one}, mesh.matrix);
+    expect_equal(fresh.stats(), engine.stats());
+    EXPECT_EQ(fresh.geometry(), engine.geometry());
+    EXPECT_EQ(fresh.framebuffer().resolve().pixel, engine.framebuffer().resolve().pixel);
+  }
+}
+
+TEST(FrameScene, MeshTrianglesHaveNoTagOfAnEarlierDraw) {
+  const ShadedMesh mesh = scene("teapot.obj", {40, 30, Cull::kNone}, {});
+  std::size_t told = 0;
+  std::uint32_t tags = 0;
+  FrameOptions options;
+  options.on_triangles = [&](std::span<const Triangle> triangles) {
+    told += triangles.size();
+    for (const Triangle& triangle : triangles) tags |= triangle.tag;
+  };
+  FrameEngine engine({40, 30, Cull::kNone}, kFull, options);
+  ShadedTriangle packed;
+  packed.triangle = {{{{0, 0}, {900, 0}, {0, 900}}}, 77};
+  for (VertexAttributes& vertex : packed.attributes) vertex.inverse_w = 1;
+  engine.draw(std::vector<ShadedTriangle>(100, packed));
+  EXPECT_EQ(77u, tags);
+  tags = 0;
+  engine.draw(mesh.view(), mesh.matrix);
+  EXPECT_GT(told, 200u);
+  EXPECT_EQ(0u, tags);
 }
 
 TEST(FrameScene, DrawsAddUp) {

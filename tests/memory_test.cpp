@@ -13,6 +13,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "batch/threads.hpp"
 #include "bumpy_torus.hpp"
 #include "cli/level_run.hpp"
 #include "cli/rtl_link.hpp"
@@ -26,18 +27,35 @@ std::atomic<std::size_t> peak_bytes{0};
 
 }  // namespace
 
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  void* memory = std::malloc(size);
+namespace {
+
+void* counted(void* memory) {
   if (memory == nullptr) throw std::bad_alloc();
   const std::size_t live = live_bytes += malloc_usable_size(memory);
-  peak_bytes = std::max(peak_bytes.load(), live);
+  std::size_t peak = peak_bytes;
+  while (peak < live && !peak_bytes.compare_exchange_weak(peak, live)) {
+  }
   return memory;
+}
+
+}  // namespace
+
+[[gnu::noinline]] void* operator new(std::size_t size) { return counted(std::malloc(size)); }
+[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t line) {
+  const auto to = static_cast<std::size_t>(line);
+  return counted(std::aligned_alloc(to, (size + to - 1) / to * to));
 }
 [[gnu::noinline]] void operator delete(void* memory) noexcept {
   if (memory != nullptr) live_bytes -= malloc_usable_size(memory);
   std::free(memory);
 }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+  operator delete(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept {
+  operator delete(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
   operator delete(memory);
 }
 
@@ -114,6 +132,47 @@ TEST_P(MemoryOf, DrawingTakesNoMoreForMoreTriangles) {
 }
 
 TEST(Memory, FrameEngineTakesNoMoreForMoreTriangles) { expect_no_more_for_more(draw_by_engine); }
+
+// Bytes allocated for an engine and that many triangles, each over half of the frame or more.
+std::size_t large_triangle_bytes(int triangles, int size, const Config& config, int threads) {
+  std::vector<glm::vec3> positions;
+  std::vector<TriangleIndices> indices;
+  for (int i = 0; i < triangles; ++i) {
+    const auto first = static_cast<std::uint32_t>(3 * i);
+    const float z = 0.9f - 0.02f * static_cast<float>(i);  // each before the last: all of it passes
+    for (const glm::vec2 at : {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1)}) {
+      positions.emplace_back(i % 2 == 0 ? at : -at, z);
+    }
+    indices.push_back({first, first + 1, first + 2});
+  }
+  const std::vector<glm::vec3> colors(positions.size(), glm::vec3(200, 100, 50));
+  FrameOptions options;
+  options.threads = threads;
+  options.run = run_on_threads;
+  const std::size_t before = live_bytes;
+  peak_bytes = before;
+  FrameEngine engine({size, size, Cull::kNone}, config, options);
+  engine.draw(MeshView{positions, colors, indices}, glm::dmat4(1.0));
+  const auto half = static_cast<std::uint64_t>(triangles) * static_cast<std::uint64_t>(size) *
+                    static_cast<std::uint64_t>(size) / 2;
+  EXPECT_GT(engine.stats().fragments_shaded, half - half / 50);
+  return peak_bytes - before;
+}
+
+// What a frame's tiles take, and some megabytes: 64 triangles are two million tiles at one sample.
+TEST(Memory, FrameEngineTakesNoMoreForMoreLargeTriangles) {
+  for (const int threads : {1, 2}) {
+    for (const Config& config : {kFull, kMsaa4}) {
+      const int size = config.samples == 1 ? 2048 : 1024;
+      const auto few = static_cast<double>(large_triangle_bytes(4, size, config, threads));
+      const auto many = static_cast<double>(large_triangle_bytes(64, size, config, threads));
+      const double framebuffer = 8.0 * config.samples * size * size;
+      EXPECT_GT(few, framebuffer);
+      EXPECT_LT(many, few + 8e6) << threads << " threads, " << config.samples << " samples";
+      EXPECT_LT(many, framebuffer + 16e6) << threads << " threads, " << config.samples;
+    }
+  }
+}
 
 INSTANTIATE_TEST_SUITE_P(Levels, MemoryOf,
                          testing::Values(Level::kCoverage, Level::kBit, Level::kCycle));

@@ -59,7 +59,8 @@ class FrameEngine {
   FrameEngine(const FrameState& frame, const Config& config, const FrameOptions& options = {});
   ~FrameEngine();
 
-  // Forgets everything drawn and counted; keeps the memory.
+  // Forgets everything drawn and counted; keeps the memory. Needed after a draw that threw: what
+  // that left is not said.
   void clear();
 
   // As Rasterizer::draw() for each. Vertices and attributes must be legal (checked for every

@@ -74,7 +74,7 @@ void assemble(const VertexSource& source, const std::vector<VertexRecord>& recor
     const bool outside = (a.outside & b.outside & c.outside) != 0;
     ++stats.triangles_in;
     stats.outside += outside ? 1u : 0u;
-    out.triangle[out.count].vertex = {a.point, b.point, c.point};
+    out.triangle[out.count] = {{a.point, b.point, c.point}, 0};
     out.corner[out.count] = t;
     out.count += outside ? 0u : 1u;
     stats.triangles_out += outside ? 0u : 1u;

@@ -101,4 +101,17 @@ simd::RecordOrder FramePiece::order(std::uint32_t band) const {
   return {of_band_[band].data(), of_band_[band].size()};
 }
 
+simd::RecordOrder FramePiece::take(simd::RecordOrder& rest, std::size_t enough) const {
+  simd::RecordOrder out = rest;
+  std::size_t tiles = 0;
+  for (out.count = 0; out.count < rest.count && tiles < enough; ++out.count) {
+    const std::size_t record = rest.at(out.count);
+    tiles += RecordPlace{tiles_.place[record]}.is_run() ? tiles_.mask[0][record] : 1;
+  }
+  if (rest.record != nullptr) rest.record += out.count;
+  rest.first += out.count;
+  rest.count -= out.count;
+  return out;
+}
+
 }  // namespace halfspace

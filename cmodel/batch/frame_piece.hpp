@@ -40,6 +40,9 @@ class FramePiece {
   // Sorted by tile or, where that is not done, by band only.
   const FrameBins& bins() const { return bins_; }
   simd::RecordOrder order(std::uint32_t band) const;
+  // The first of `rest`, until they are `enough` tiles, a run counted by its length; takes them
+  // off.
+  simd::RecordOrder take(simd::RecordOrder& rest, std::size_t enough) const;
   CoverageChunk chunk() const { return engine_.chunk(); }
   const simd::KernelCounts& counts() const { return engine_.counts(); }
 

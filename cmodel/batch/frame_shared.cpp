@@ -2,7 +2,6 @@
 //
 // A draw by several threads.
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "frame_work.hpp"
@@ -14,6 +13,8 @@ namespace {
 // The most triangles of a piece and the fewest worth sharing.
 constexpr std::size_t kSharedTriangles = 4096;
 constexpr std::size_t kLeastTriangles = 512;
+// Records of a piece that are kept at a time: most pieces have fewer.
+constexpr std::size_t kSharedRecords = 1 << 15;
 // Vertices a thread projects at a time, at least.
 constexpr std::size_t kVertexRange = 1024;
 constexpr std::size_t kMostRanges = 1 << 12;
@@ -32,6 +33,9 @@ struct FrameEngine::Work::Round {
 // A line of three: while the tiles of one round are drawn, each band of rows by one thread and in
 // the order of triangles, the next round's pieces are prepared, and the vertices of the one after
 // projected. What a step reads was made in the step before.
+//
+// Of a piece with too many records only the first are there when its round is drawn. Then the line
+// waits: in steps of their own its next records are found, and drawn with the pieces behind it.
 class FrameEngine::Work::Shared {
  public:
   Shared(Work& work, const Feed& feed) : work_(work), feed_(feed) {
@@ -42,8 +46,10 @@ class FrameEngine::Work::Shared {
   // The next step's tasks: one that scans, then bands, then pieces, then ranges of vertices; none
   // when all is drawn.
   std::size_t plan() {
+    if (const std::size_t rest = plan_rest(); rest > 0) return rest;
     for (std::size_t i = 0; i < prepared_.used; ++i) work_.tell(work_.pieces_[prepared_.piece + i]);
     drawn_ = prepared_;
+    draw_from(0);
     prepared_ = arriving_;
     arriving_ = coming_;
     coming_ = round(index_++);
@@ -57,14 +63,11 @@ class FrameEngine::Work::Shared {
   }
 
   void task(std::size_t task, std::size_t thread) {
+    if (step_ == Step::kCover) return cover(drawn_.piece + draw_end_ - 1, thread);
+    if (step_ == Step::kDraw) return draw(task, thread);
     if (task == 0) return scan();
     task -= 1;
-    if (task < bands_) {
-      for (std::size_t i = 0; i < drawn_.used; ++i) {
-        work_.draw_tiles(work_.pieces_[drawn_.piece + i], static_cast<std::uint32_t>(task), thread);
-      }
-      return;
-    }
+    if (task < bands_) return draw(task, thread);
     task -= bands_;
     if (task < prepared_.used) return prepare(task, thread);
     const std::size_t from = projected_ + (task - prepared_.used) * range_;
@@ -73,6 +76,40 @@ class FrameEngine::Work::Shared {
   }
 
  private:
+  enum class Step { kAll, kCover, kDraw };  // kCover: one task; kDraw: bands only
+
+  // The pieces of drawn_ from `first` on that can be drawn now: up to one that is not finished.
+  void draw_from(std::size_t first) {
+    draw_begin_ = draw_end_ = first;
+    while (draw_end_ < drawn_.used && work_.pieces_[drawn_.piece + draw_end_++].finished()) {
+    }
+  }
+
+  // The next step when not all of a round was drawn; 0 when it was.
+  std::size_t plan_rest() {
+    const bool covered = std::exchange(step_, Step::kAll) == Step::kCover;
+    if (covered) {
+      step_ = Step::kDraw;
+      draw_from(draw_end_ - 1);
+      return bands_;
+    }
+    if (drawn_.used == 0 || work_.pieces_[drawn_.piece + draw_end_ - 1].finished()) return 0;
+    step_ = Step::kCover;
+    return 1;
+  }
+
+  void draw(std::size_t band, std::size_t thread) {
+    for (std::size_t i = draw_begin_; i < draw_end_; ++i) {
+      work_.draw_tiles(work_.pieces_[drawn_.piece + i], static_cast<std::uint32_t>(band), thread);
+    }
+  }
+
+  void cover(std::size_t piece, std::size_t thread) {
+    FramePiece& it = work_.pieces_[piece];
+    it.cover(work_.constants_, work_.records_, kSharedRecords, work_.grid_, work_.scratch_[thread]);
+    if (work_.options_.count_hits) work_.hits_[thread].add(it.chunk());
+  }
+
   Round round(std::size_t index) const {
     const std::size_t most = work_.pieces_.size() / 2;
     Round out;
@@ -92,12 +129,9 @@ class FrameEngine::Work::Shared {
 
   void prepare(std::size_t i, std::size_t thread) {
     const std::size_t from = i * prepared_.share;
-    FramePiece& piece = work_.pieces_[prepared_.piece + i];
     work_.assemble(feed_, prepared_.piece + i, prepared_.first + from,
                    std::min(prepared_.share, prepared_.count - from));
-    piece.cover(work_.constants_, work_.records_, std::numeric_limits<std::size_t>::max(),
-                work_.grid_, work_.scratch_[thread]);
-    if (work_.options_.count_hits) work_.hits_[thread].add(piece.chunk());
+    cover(prepared_.piece + i, thread);
   }
 
   Work& work_;
@@ -109,6 +143,9 @@ class FrameEngine::Work::Shared {
   std::size_t coming_needed_ = 0;
   std::size_t range_ = 1;
   std::size_t bands_ = 0;
+  Step step_ = Step::kAll;
+  std::size_t draw_begin_ = 0;  // of drawn_'s pieces
+  std::size_t draw_end_ = 0;
 };
 
 void FrameEngine::Work::draw_shared(const Feed& feed) {

@@ -2,7 +2,7 @@
 #include "frame_work.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 
 #include "../fixed.hpp"
 
@@ -13,6 +13,9 @@ namespace {
 // them stays in the second-level cache.
 constexpr std::size_t kPieceTriangles = 4096;
 constexpr std::size_t kPieceRecords = 12288;
+// Tiles that are drawn together where they are not sorted, and a run's more: what is kept of them
+// between depth and colour does not grow with the triangles.
+constexpr std::size_t kSliceTiles = 1 << 14;
 // Pictures from here on are written past the caches.
 constexpr std::size_t kStreamedPixels = 1 << 20;
 // Kernels write whole vectors of records.
@@ -74,6 +77,12 @@ FrameEngine::Work::Work(const FrameState& frame, const Config& config, const Fra
 
 void FrameEngine::Work::clear() {
   store_.clear();
+  if (std::exchange(drawing_, false)) {
+    for (FrameBins::Scratch& scratch : scratch_) std::fill(scratch.begin(), scratch.end(), 0u);
+    for (PassedTiles& passed : passed_) std::fill(passed.slot.begin(), passed.slot.end(), 0u);
+  }
+  add_counts();  // of a draw that threw
+  add_geometry();
   stats_ = {};
   geometry_sum_ = {};
   hits_.clear();
@@ -133,7 +142,9 @@ void FrameEngine::Work::draw(const VertexSource& source,
 }
 
 void FrameEngine::Work::run(const Feed& feed) {
+  drawing_ = true;
   options_.threads == 1 ? draw_alone(feed) : draw_shared(feed);
+  drawing_ = false;
   add_counts();
 }
 
@@ -157,10 +168,14 @@ void FrameEngine::Work::draw_tiles(const FramePiece& piece, std::uint32_t band,
   if (passed.slot.size() < piece.triangle_count()) passed.slot.resize(2 * piece.triangle_count());
   if (piece.bins().filled()) {
     kernels_.bins(constants_, piece.bins().range(band), store_, passed, counts);
-  } else {
-    kernels_.depth(constants_, piece.tiles(), piece.order(band), store_, passed, counts);
+    if (passed.count > 0) kernels_.shade(constants_, piece.triangles(), store_, passed);
+    return;
   }
-  if (passed.count > 0) kernels_.shade(constants_, piece.triangles(), store_, passed);
+  for (simd::RecordOrder rest = piece.order(band); rest.count > 0; passed.count = 0) {
+    const simd::RecordOrder slice = piece.take(rest, kSliceTiles);
+    kernels_.depth(constants_, piece.tiles(), slice, store_, passed, counts);
+    if (passed.count > 0) kernels_.shade(constants_, piece.triangles(), store_, passed);
+  }
 }
 
 // Vertices are projected when they are needed: most meshes use them about in their order, and then

@@ -63,6 +63,7 @@ class FrameEngine::Work {
   RasterStats stats_;
   RasterStats setup_;  // already in stats_, of the engines' own counts
   GeometryStats geometry_sum_;
+  bool drawing_ = false;  // also after a draw that threw
   std::vector<VertexRecord> records_;
   std::vector<FramePiece> pieces_;           // two rounds of them, or one piece for one thread
   std::vector<GeometryStage> plain_;         // one per piece

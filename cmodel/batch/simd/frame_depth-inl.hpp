@@ -139,7 +139,7 @@ HWY_NOINLINE void depth_records(const FrameConstants& c, const FrameTiles& tiles
   std::uint64_t mask[kMaxSamples];
   constexpr std::uint64_t kFull = kGridLog2 == 3 ? ~std::uint64_t{0} : 0xffff;
   for (std::size_t k = 0; k < order.count; ++k) {
-    const std::size_t record = order.record == nullptr ? k : order.record[k];
+    const std::size_t record = order.at(k);
     const std::uint32_t word = loop.tiles.place[record];
     if (word >> 31 == 0) {
       for (std::size_t m = 0; m < (kOne ? 1 : samples); ++m) mask[m] = loop.tiles.mask[m][record];

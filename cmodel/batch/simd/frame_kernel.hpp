@@ -13,10 +13,13 @@
 
 namespace halfspace::simd {
 
-// Which records a kernel takes: all of them, or those that `order` lists.
+// Which records a kernel takes: `count` from `first` on, or those that `record` lists.
 struct RecordOrder {
   const std::uint32_t* record = nullptr;
   std::size_t count = 0;
+  std::size_t first = 0;  // without a list
+
+  std::size_t at(std::size_t k) const { return record == nullptr ? first + k : record[k]; }
 };
 
 // Depth planes of `count` triangles.

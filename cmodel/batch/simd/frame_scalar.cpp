@@ -94,7 +94,7 @@ void depth_scalar(const FrameConstants& constants, const FrameTiles& tiles,
   const auto lanes = static_cast<std::size_t>(constants.config.lanes());
   const std::uint64_t all = lanes == 64 ? ~std::uint64_t{0} : 0xffff;
   for (std::size_t k = 0; k < order.count; ++k) {
-    const std::size_t record = order.record == nullptr ? k : order.record[k];
+    const std::size_t record = order.at(k);
     const RecordPlace place{tiles.place[record]};
     const std::uint64_t length = place.is_run() ? tiles.mask[0][record] : 1;
     passed.reserve(length, samples);

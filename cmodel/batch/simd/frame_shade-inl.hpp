@@ -177,11 +177,7 @@ HWY_INLINE void shade_tile(const FrameConstants& c, const Divider& divide, const
 HWY_INLINE void shade_planes(const FrameConstants& c, const FrameTriangle* triangles,
                              PassedTiles& passed) {
   const auto samples = static_cast<std::size_t>(c.samples);
-  if (passed.planes.size() < passed.count) passed.planes.resize(2 * passed.count);
-  if (samples > 1 && passed.deltas.size() < passed.count * samples * kShades) {
-    passed.deltas.resize(2 * passed.count * samples * kShades);
-  }
-  if (passed.shaded.size() <= passed.count) passed.shaded.resize(2 * passed.count + 1);
+  if (passed.shaded.size() <= passed.slot.size()) passed.shaded.resize(passed.slot.size() + 1);
   // Without a branch: whether a tile is its triangle's first is a coin toss.
   std::uint32_t found = 0;
   PassedTile* const tiles = passed.tile.data();
@@ -195,6 +191,10 @@ HWY_INLINE void shade_planes(const FrameConstants& c, const FrameTriangle* trian
     tiles[k].triangle = slot[triangle] - 1;
   }
   for (std::size_t i = 0; i < found; ++i) slot[shaded[i]] = 0;
+  if (passed.planes.size() < found) passed.planes.resize(2 * std::size_t{found});
+  if (samples > 1 && passed.deltas.size() < found * samples * kShades) {
+    passed.deltas.resize(2 * found * samples * kShades);
+  }
   listed_planes(c, triangles, shaded, found, passed.planes.data());
   for (std::size_t i = 0; samples > 1 && i < found; ++i) {
     for (std::size_t m = 0; m < samples; ++m) {
