@@ -15,7 +15,7 @@ constexpr std::size_t kPieceTriangles = 4096;
 constexpr std::size_t kPieceRecords = 12288;
 // Tiles that are drawn together where they are not sorted, and a run's more: what is kept of them
 // between depth and colour does not grow with the triangles.
-constexpr std::size_t kSliceTiles = 1 << 14;
+constexpr std::size_t kSliceTiles = 1 << 11;
 // Pictures from here on are written past the caches.
 constexpr std::size_t kStreamedPixels = 1 << 20;
 // Kernels write whole vectors of records.
