@@ -17,6 +17,7 @@
 #include "rtl_link.hpp"
 #include "rtl_trace.hpp"
 #include "scene.hpp"
+#include "wave_file.hpp"
 
 namespace halfspace {
 namespace {
@@ -127,10 +128,12 @@ std::string write_waves(const Frame& frame, const Config& config, const CosimOpt
   const bool has_out = std::filesystem::is_directory("out");
   const std::string path = has_out ? "out/mismatch.fst" : "mismatch.fst";
   CosimOptions traced = options;
-  traced.trace = path;
+  WaveFile waves(path);
+  traced.trace = waves.temporary();
   traced.trace_from = mismatch.clock > kWavesBefore ? mismatch.clock - kWavesBefore : 0;
   traced.trace_to = mismatch.clock + kWavesAfter;
   cosim(*make_rtl_rasterizer(config), frame.triangles, frame.state, config, traced);
+  waves.commit();
   write_save_file(path, config, mismatch.clock);
   return path;
 }
@@ -196,6 +199,30 @@ bool load_frame(const Scene& scene, const CosimRequest& request, const Config& c
   return true;
 }
 
+std::unique_ptr<Scene> open_checked(const CosimRequest& request, const Config& config) {
+  std::vector<std::string> outputs{request.stats, request.trace};
+  if (is_trace_file(request.trace)) outputs.push_back(model_trace_path(request.trace));
+  check_distinct(outputs);
+  if (!request.stats.empty()) check_writable(request.stats);
+  std::unique_ptr<Scene> scene =
+      open_scene(request.in, request.case_id, frame_size(request.size, config),
+                 request.camera.options(), Lighting::kGouraud, request.views);
+  check_trace(request.trace, scene->frames());
+  return scene;
+}
+
+// What there is to say; the exit status.
+int say_result(const Totals& totals, const std::optional<Mismatch>& mismatch) {
+  if (mismatch) return 1;
+  if (totals.packets == 0) {
+    fmt::print(stderr, "halfspace: nothing was compared: no triangle reached the rasterizer\n");
+    return 1;
+  }
+  fmt::print("identical in bits and clocks: {} triangles, {} tiles, {} packets in {} clocks\n",
+             totals.stats.triangles, totals.tiles, totals.packets, totals.clocks);
+  return 0;
+}
+
 }  // namespace
 
 int run_cosim(const CosimRequest& request) {
@@ -206,16 +233,13 @@ int run_cosim(const CosimRequest& request) {
   }
   const Config config = request.config.load();
   require_rtl(config, "--config");
-  check_distinct({request.stats, request.trace});
-  if (!request.stats.empty()) check_writable(request.stats);
-  const std::unique_ptr<Scene> scene =
-      open_scene(request.in, request.case_id, frame_size(request.size, config),
-                 request.camera.options(), Lighting::kGouraud, request.views);
-  check_trace(request.trace, scene->frames());
+  const std::unique_ptr<Scene> scene = open_checked(request, config);
   const std::unique_ptr<RtlRasterizer> rtl = make_rtl_rasterizer(config);
 
   Totals totals;
   OutputGroup outputs;
+  std::optional<WaveFile> waves;
+  if (is_wave_file(request.trace)) waves.emplace(request.trace);
   std::optional<Mismatch> mismatch;
   for (std::size_t i = 0; i < scene->frames() && !mismatch; ++i) {
     Frame frame{.index = i, .state = {}, .triangles = {}};
@@ -223,7 +247,7 @@ int run_cosim(const CosimRequest& request) {
     Progress progress("comparing triangles", frame.triangles.size());
     std::uint64_t shown = 0;
     CosimOptions options{.stalls = Stalls(request.stall, request.seed + i),
-                         .trace = is_wave_file(request.trace) ? request.trace : std::string(),
+                         .trace = waves ? waves->temporary() : std::string(),
                          .progress = [&](std::uint64_t done) {
                            progress.advance(done - shown);
                            shown = done;
@@ -236,9 +260,9 @@ int run_cosim(const CosimRequest& request) {
     if (!result.mismatch) continue;
     mismatch = result.mismatch;
     options.progress = nullptr;
-    const std::string waves = write_waves(frame, config, options, *mismatch);
+    const std::string around = write_waves(frame, config, options, *mismatch);
     fmt::print(stderr, "halfspace: {}; replay: {}; waves: {}\n", mismatch->line(),
-               replay_command(request, *scene, i), waves);
+               replay_command(request, *scene, i), around);
   }
   if (totals.skipped != 0) {
     fmt::print(stderr, "halfspace: note: {} cases do not fit the configuration: skipped\n",
@@ -250,14 +274,8 @@ int run_cosim(const CosimRequest& request) {
         .write(report(request, config, totals, mismatch, wall.count()).dump(2) + "\n");
   }
   outputs.commit();
-  if (mismatch) return 1;
-  if (totals.packets == 0) {
-    fmt::print(stderr, "halfspace: nothing was compared: no triangle reached the rasterizer\n");
-    return 1;
-  }
-  fmt::print("identical in bits and clocks: {} triangles, {} tiles, {} packets in {} clocks\n",
-             totals.stats.triangles, totals.tiles, totals.packets, totals.clocks);
-  return 0;
+  if (waves) waves->commit();
+  return say_result(totals, mismatch);
 }
 
 }  // namespace halfspace

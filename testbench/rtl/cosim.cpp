@@ -76,15 +76,8 @@ CosimResult cosim(RtlRasterizer& rtl, std::span<const Triangle> triangles, const
     try {
       rtl.clock();
     } catch (const std::runtime_error& error) {
-      result.mismatch = Mismatch{.stage = "assertion",
-                                 .packet = 0,
-                                 .clock = clock,
-                                 .triangle = source.count(),
-                                 .x = 0,
-                                 .y = 0,
-                                 .field = "rtl",
-                                 .model = "no failure",
-                                 .rtl = error.what()};
+      result.mismatch =
+          Mismatch{"assertion", 0, clock, source.count(), 0, 0, "rtl", "no failure", error.what()};
       break;
     }
     if (tracing && clock == options.trace_to) {
