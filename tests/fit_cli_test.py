@@ -5,8 +5,10 @@ import json
 import os
 import pathlib
 import re
+import signal
 import subprocess
 import tempfile
+import time
 import unittest
 
 PROGRAM = os.environ["HALFSPACE"]
@@ -164,6 +166,41 @@ class FitCli(unittest.TestCase):
         self.refuse("HS010", "fit", self.out / "none.obj", "--out", self.out / "c.json")
         self.refuse("HS025", "fit", TEAPOT, "--emit-rtl", self.out / "e", "--source", self.out)
         self.refuse("HS030", "fit", TEAPOT, "--out", self.out / "no/such/c.json")
+
+    def test_an_output_that_fails_leaves_no_other(self):
+        report, rtl = self.out / "report", self.out / "rtl"
+        fit = ["fit", TEAPOT, "--size", "64x48", "--emit-rtl", rtl, "--report", report]
+        self.refuse("HS030", *fit, "--out", "/dev/full")
+        self.refuse("HS001", *fit[:-1], rtl, says="two outputs")
+        report.write_text("")
+        self.refuse("HS030", *fit, says=str(report))
+        report.unlink()
+        (report / "index.html").mkdir(parents=True)
+        (rtl / "rtl/checkers/checkers.f").mkdir(parents=True)
+        before = set(self.out.rglob("*"))
+        self.refuse("HS030", *fit, says="index.html")
+        self.refuse("HS030", *fit[:-2], says="checkers.f")
+        self.assertEqual(set(self.out.rglob("*")), before)
+
+    def test_an_interrupted_tool_is_ended_and_its_inputs_stay(self):
+        tools, started, late = (self.out / name for name in ("bin", "started", "late"))
+        tools.mkdir()
+        (tools / "verilator").write_text(f"#!/bin/sh\n> {started}\nsleep 1\n> {late}\n")
+        (tools / "verilator").chmod(0o755)
+        env = {**os.environ, "PATH": f"{tools}:{os.environ['PATH']}"}
+        program = subprocess.Popen([PROGRAM, "fit", TEAPOT, "--size", "64x48", "--emit-rtl", "rtl",
+                                    "--out", "c.json", "--cosim"], env=env, cwd=self.out,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        while not started.exists() and program.poll() is None:
+            time.sleep(0.02)
+        program.send_signal(signal.SIGINT)
+        said = program.communicate(timeout=60)[1]
+        self.assertEqual(program.returncode, 2, said)
+        self.assertEqual(said.strip().splitlines()[-1],
+                         "halfspace: error[HS050]: interrupted; what was written before stays")
+        time.sleep(1.2)
+        self.assertFalse(late.exists(), "the tool went on")
+        self.assertEqual({p.name for p in self.out.iterdir()}, {"bin", "c.json", "rtl", "started"})
 
     def test_a_view_of_nothing_is_refused(self):
         away = ["--eye", "0,0,1000", "--look-at", "0,0,2000", "--size", "160x120"]

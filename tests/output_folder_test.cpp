@@ -138,11 +138,13 @@ TEST_F(OutputFolderTest, ChildIsKilledWhenInterrupted) {
   EXPECT_EQ(in_child([&] {
               const pid_t child = fork();
               if (child == 0) {
+                setpgid(0, 0);
                 leave_interrupts();
                 usleep(300000);
                 put(late, "too late");
                 _exit(0);
               }
+              setpgid(child, child);
               kill_on_interrupt(child);
               raise(SIGTERM);
             }),

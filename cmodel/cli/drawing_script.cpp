@@ -2,21 +2,17 @@
 #include "drawing_script.hpp"
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <vector>
 
+#include "../io/child_process.hpp"
 #include "../io/error.hpp"
 #include "../io/interrupt.hpp"
 #include "../io/output_file.hpp"
 #include "source_tree.hpp"
-
-extern char** environ;
 
 namespace halfspace {
 namespace {
@@ -31,26 +27,6 @@ fs::path script() {
   return folder.empty() ? folder : folder / "testbench" / "charts.py";
 }
 
-// Exit status, or -1 when it did not run to its end.
-int run(std::vector<std::string> words) {
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  // In a group of its own, so that Ctrl-C reaches it through this process alone.
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  pid_t child = 0;
-  const int failed = posix_spawn(&child, argv[0], nullptr, &attributes, argv.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  if (failed != 0) return -1;
-  kill_on_interrupt(child);
-  int status = 0;
-  const bool ended = waitpid(child, &status, 0) == child;
-  kill_on_interrupt(0);
-  return ended && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
 }  // namespace
 
 void require_drawing_script() {
@@ -60,9 +36,9 @@ void require_drawing_script() {
                 "testbench/charts.py is not there (a program outside its source tree draws no "
                 "charts; --out F.json writes the data)");
   }
-  if (run({kPython, "-c",
-           "import importlib.util, sys; "
-           "sys.exit(importlib.util.find_spec('matplotlib') is None)"}) != 0) {
+  if (run_child({kPython, "-c",
+                 "import importlib.util, sys; "
+                 "sys.exit(importlib.util.find_spec('matplotlib') is None)"}) != 0) {
     throw Error(ErrorCode::kDrawing, "--out",
                 "python3-matplotlib is not installed (--out F.json writes the data)");
   }
@@ -79,7 +55,7 @@ void draw_chart(const std::string& name, const nlohmann::ordered_json& data,
   write_text(json, data.dump() + "\n");
   const RemovedOnInterrupt data_removed(json);
   const RemovedOnInterrupt picture_removed(picture.string());
-  const int status = run({kPython, script().string(), "draw", name, json, picture.string()});
+  const int status = run_child({kPython, script().string(), "draw", name, json, picture.string()});
   fs::remove(json);
   std::error_code error;
   if (status == 0) fs::rename(picture, whole, error);

@@ -10,7 +10,9 @@
 
 #include "../fit/emit.hpp"
 #include "../fit/fit.hpp"
+#include "../fit/outputs.hpp"
 #include "../fit/report.hpp"
+#include "../io/child_process.hpp"
 #include "../io/config_json.hpp"
 #include "../io/error.hpp"
 #include "../io/escape.hpp"
@@ -80,7 +82,6 @@ void check(const FitArguments& a) {
     throw Error(ErrorCode::kUsage, "fit",
                 "nothing to write: give --out FILE, --emit-rtl DIR or --report DIR");
   }
-  if (!a.out.empty()) check_writable(a.out);
 }
 
 // What cosim.sh and --cosim run.
@@ -141,17 +142,10 @@ std::string command_text(const FitArguments& a) {
   return text + camera;
 }
 
-void write_reports(const FitArguments& a, const FitReport& report) {
-  if (a.report.empty()) return;
-  fs::create_directories(a.report);
-  write_text(fs::path(a.report) / "report.json", fit_report_json(report).dump(2) + "\n");
-  write_text(fs::path(a.report) / "index.html", fit_report_html(report));
-}
-
 // --cosim: false when the RTL and the model differ, which cosim has said.
 bool run_cosim_script(const FitArguments& a, FitReport& report) {
   const fs::path folder = fs::absolute(a.emit);
-  const bool good = std::system(quoted((folder / "cosim.sh").string()).c_str()) == 0;
+  const bool good = run_child({(folder / "cosim.sh").string()}) == 0;
   bool identical = true;
   for (std::size_t i = 0; i < a.scenes.size() && fs::exists(folder / emitted_stats(i)); ++i) {
     report.cosim.push_back(read_json(folder / emitted_stats(i)));
@@ -164,6 +158,7 @@ bool run_cosim_script(const FitArguments& a, FitReport& report) {
 int run_fit(const FitArguments& a) {
   check(a);
   const FitOptions options = fit_options(a);
+  FitOutputs outputs(a.out, a.report, a.emit, a.source);
   const std::vector<FitView> views = open_views(a, 0);
   const FitResult result = fit(views, options);
   FitReport report{.command = command_text(a),
@@ -175,10 +170,11 @@ int run_fit(const FitArguments& a) {
                    .measured_full = {},
                    .cosim = {}};
   if (a.simplify > 0) report.lod = compare_lod(views, open_views(a, a.simplify));
-  if (!a.emit.empty()) emit_rtl(a.emit, a.source, result.config, emit_runs(a));
-  if (a.synth) synthesise(a, report);
-  write_reports(a, report);
-  if (!a.out.empty()) write_text(a.out, config_json(result.config).dump(2) + "\n");
+  outputs.write(report, emit_runs(a));
+  if (a.synth) {
+    synthesise(a, report);
+    outputs.rewrite(report);
+  }
   fmt::print("{}", fit_summary(report));
   if (!a.out.empty()) fmt::print("wrote {}\n", a.out);
   if (!a.emit.empty()) fmt::print("wrote {0}: RTL, and {0}/cosim.sh to check it\n", a.emit);
@@ -186,7 +182,7 @@ int run_fit(const FitArguments& a) {
   std::fflush(stdout);
   if (!a.cosim) return 0;
   const bool identical = run_cosim_script(a, report);
-  write_reports(a, report);
+  outputs.rewrite(report);
   return identical ? 0 : 1;
 }
 

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
 
+#include "../io/child_process.hpp"
 #include "../io/config_json.hpp"
 #include "../io/config_package.hpp"
 #include "../io/error.hpp"
@@ -27,27 +27,6 @@ std::vector<std::string> lines_of(const fs::path& path) {
     if (!line.empty()) lines.push_back(line);
   }
   return lines;
-}
-
-// The sources, in the order of compilation, relative to the emitted folder.
-std::vector<std::string> copy_rtl(const fs::path& from, const fs::path& to) {
-  std::vector<std::string> files;
-  std::error_code code;
-  fs::create_directories(to / "checkers", code);
-  const auto copy = [&](const std::string& name) {
-    write_text(to / name, read_file((from / name).string()));
-  };
-  copy("rtl.f");
-  copy("hs_lint.vlt");
-  copy("checkers/checkers.f");
-  for (const std::string& name : lines_of(from / "rtl.f")) {
-    copy(name);
-    files.push_back("rtl/" + name);
-  }
-  for (const std::string& name : lines_of(from / "checkers/checkers.f")) {
-    copy("checkers/" + name);
-  }
-  return files;
 }
 
 std::string script(const std::string& source, const std::vector<EmitRun>& runs) {
@@ -73,7 +52,8 @@ echo 'yosys check: no problem'
 echo 'building halfspace with this RTL (minutes; log: build.log)'
 {
   cmake -S "$source" -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DHALFSPACE_TESTS=OFF \
-    -DHALFSPACE_LAB=OFF -DHALFSPACE_RTL=ON -DHALFSPACE_RTL_CONFIGS=none "-DHALFSPACE_RTL_EXTRA=$here" &&
+    -DHALFSPACE_LAB=OFF -DHALFSPACE_RTL=ON -DHALFSPACE_RTL_CONFIGS=none \
+    "-DHALFSPACE_RTL_EXTRA=$here" &&
   cmake --build build --target halfspace
 } > build.log 2>&1 || { cat build.log >&2; exit 1; }
 )SH";
@@ -89,32 +69,75 @@ echo 'building halfspace with this RTL (minutes; log: build.log)'
 
 std::string emitted_stats(std::size_t run) { return fmt::format("cosim_{}.json", run); }
 
-void emit_rtl(const std::string& folder, const std::string& source, const Config& config,
-              const std::vector<EmitRun>& runs) {
-  const fs::path rtl = fs::path(source) / "rtl";
-  if (!fs::exists(rtl / "rtl.f")) {
-    throw Error(ErrorCode::kFitTool, "--emit-rtl",
-                fmt::format("no RTL in {} (give the source tree with --source)", source));
+std::string file_in(OutputFolder& folder, const std::string& path, const std::string& name) {
+  const fs::path whole = fs::path(path) / name;
+  std::error_code ignored;
+  if (fs::is_directory(whole, ignored)) {
+    throw Error(ErrorCode::kFileWrite, whole.string(), "cannot write: it is a directory");
   }
-  const fs::path to(folder);
-  std::error_code code;
-  fs::create_directories(to, code);  // what fails here fails again at the first file
-  std::vector<std::string> files = copy_rtl(rtl, to / "rtl");
+  return folder.file(name);
+}
+
+// The outermost first, so that the others make no folder that it would have to be.
+RtlFolder::RtlFolder(const std::string& folder, const std::string& source)
+    : folder_(folder),
+      source_(source),
+      top_(folder),
+      rtl_((fs::path(folder) / "rtl").string()),
+      checkers_((fs::path(folder) / "rtl/checkers").string()) {
+  if (fs::exists(fs::path(source) / "rtl/rtl.f")) return;
+  throw Error(ErrorCode::kFitTool, "--emit-rtl",
+              fmt::format("no RTL in {} (give the source tree with --source)", source));
+}
+
+// The sources, in the order of compilation, relative to the emitted folder.
+std::vector<std::string> RtlFolder::copy_rtl() {
+  const auto copy = [&](OutputFolder& to, const std::string& folder, const std::string& name) {
+    const std::string text = read_file((fs::path(source_) / folder / name).string());
+    write_text(file_in(to, (fs::path(folder_) / folder).string(), name), text);
+  };
+  const fs::path from = fs::path(source_) / "rtl";
+  std::vector<std::string> files;
+  copy(rtl_, "rtl", "rtl.f");
+  copy(rtl_, "rtl", "hs_lint.vlt");
+  copy(checkers_, "rtl/checkers", "checkers.f");
+  for (const std::string& name : lines_of(from / "rtl.f")) {
+    copy(rtl_, "rtl", name);
+    files.push_back("rtl/" + name);
+  }
+  for (const std::string& name : lines_of(from / "checkers/checkers.f")) {
+    copy(checkers_, "rtl/checkers", name);
+  }
+  return files;
+}
+
+void RtlFolder::write(const Config& config, const std::vector<EmitRun>& runs) {
+  const auto write = [&](const std::string& name, const std::string& text) {
+    const std::string path = file_in(top_, folder_, name);
+    write_text(path, text);
+    return path;
+  };
+  std::vector<std::string> files = copy_rtl();
   files.insert(files.begin(), "hs_config_pkg.sv");
   std::string list;
   for (const std::string& file : files) list += file + "\n";
-  write_text(to / "files.f", list);
-  write_text(to / "hs_config_pkg.sv",
-             config_package(config, "config.json beside it; the compiler compares them"));
-  write_text(to / "config.json", config_json(config).dump(2) + "\n");
-  write_text(to / "cosim.sh", script(fs::absolute(source).string(), runs));
-  fs::permissions(to / "cosim.sh", fs::perms::owner_exec | fs::perms::group_exec,
-                  fs::perm_options::add, code);
+  write("files.f", list);
+  write("hs_config_pkg.sv",
+        config_package(config, "config.json beside it; the compiler compares them"));
+  write("config.json", config_json(config).dump(2) + "\n");
+  const std::string path = write("cosim.sh", script(fs::absolute(source_).string(), runs));
+  std::error_code ignored;
+  fs::permissions(path, fs::perms::owner_exec | fs::perms::group_exec, fs::perm_options::add,
+                  ignored);
+}
+
+void RtlFolder::commit() {
+  for (OutputFolder* folder : {&top_, &rtl_, &checkers_}) folder->commit();
 }
 
 void run_tool(const std::string& command, const std::string& log, const std::string& what) {
   const std::string line = fmt::format("{} > {} 2>&1", command, quoted(log));
-  if (std::system(line.c_str()) == 0) return;
+  if (run_child({"/bin/sh", "-c", line}) == 0) return;
   throw Error(ErrorCode::kFitTool, what, fmt::format("failed: see {}", log));
 }
 

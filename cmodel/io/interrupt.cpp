@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interrupt.hpp"
 
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,12 +22,20 @@ struct Unfinished {
 static_assert(std::atomic<Slot>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
 std::array<Unfinished, 64> unfinished;
 std::atomic<pid_t> child_to_kill{0};
+std::atomic<bool> outputs_stay{false};
+
+void end_group(pid_t leader) {
+  ::kill(-leader, SIGTERM);
+  for (int i = 0; i < 200 && ::kill(-leader, 0) == 0; ++i) {
+    ::waitpid(leader, nullptr, WNOHANG);  // one that is not waited for counts as there
+    ::poll(nullptr, 0, 10);
+  }
+  ::kill(-leader, SIGKILL);
+  ::waitpid(leader, nullptr, 0);
+}
 
 void clean_up() {
-  if (const pid_t child = child_to_kill; child > 0) {
-    ::kill(child, SIGKILL);
-    ::waitpid(child, nullptr, 0);
-  }
+  if (const pid_t child = child_to_kill; child > 0) end_group(child);
   for (std::size_t i = unfinished.size(); i-- > 0;) {
     if (unfinished[i].slot != Slot::kReady) continue;
     const char* path = unfinished[i].path.data();
@@ -41,10 +50,12 @@ extern "C" void on_abort(int) {
 }
 
 extern "C" void on_interrupt(int) {
-  static constexpr char kLine[] = "\nhalfspace: error[HS050]: interrupted; nothing was written\n";
+  const char* line = outputs_stay
+                         ? "\nhalfspace: error[HS050]: interrupted; what was written before stays\n"
+                         : "\nhalfspace: error[HS050]: interrupted; nothing was written\n";
   clean_up();
-  [[maybe_unused]] const ssize_t written =
-      ::write(STDERR_FILENO, kLine + (::isatty(2) ? 0 : 1), sizeof kLine - (::isatty(2) ? 1u : 2u));
+  if (!::isatty(STDERR_FILENO)) ++line;
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line, std::strlen(line));
   ::_exit(2);
 }
 
@@ -84,5 +95,7 @@ RemovedOnInterrupt::~RemovedOnInterrupt() {
 }
 
 void kill_on_interrupt(pid_t child) { child_to_kill = child; }
+
+void outputs_stay_on_interrupt() { outputs_stay = true; }
 
 }  // namespace halfspace

@@ -8,7 +8,7 @@
 
 namespace halfspace {
 
-// Installs a handler for SIGINT and SIGTERM that prints one line, ends the process of
+// Installs a handler for SIGINT and SIGTERM that prints one line, ends the processes of
 // kill_on_interrupt(), removes what RemovedOnInterrupt names and ends this process with status 2;
 // one for SIGABRT, which a failed check raises after its own line, does the same without a line.
 // Called once, by main().
@@ -30,7 +30,12 @@ class RemovedOnInterrupt {
   std::size_t slot_;
 };
 
-// A child to kill when interrupted, so that it writes nothing after this process; 0: none.
+// A child to end when interrupted, so that it writes nothing after this process; 0: none. It leads
+// a process group of its own, and all of that group is ended: by SIGTERM, so that a build tool can
+// end what it started in other groups, and by SIGKILL two seconds later.
 void kill_on_interrupt(pid_t child);
+
+// From here on the line of an interrupt does not say that nothing was written.
+void outputs_stay_on_interrupt();
 
 }  // namespace halfspace
