@@ -18,6 +18,7 @@ namespace {
 // Its id, 0 when it could not be started.
 pid_t start(std::vector<std::string>& words) {
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   // Until the interrupt handler knows the child, an interrupt would leave it behind.

@@ -60,7 +60,7 @@ void OutputFolder::make(const fs::path& folder) {
 
 std::string OutputFolder::file(const std::string& name) {
   names_.push_back(name);
-  const std::string path = (temporary_ / name).string();
+  std::string path = (temporary_ / name).string();
   removed_.push_back(std::make_unique<RemovedOnInterrupt>(path));
   return path;
 }
