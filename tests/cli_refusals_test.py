@@ -5,30 +5,18 @@ scenes that show nothing. One line, status 2, and no file."""
 import os
 import pathlib
 import subprocess
+import sys
 import tempfile
 import unittest
 
-PROGRAM = os.environ["HALFSPACE"]
-TESTS = pathlib.Path(os.environ["HALFSPACE_TESTS"])
+sys.dont_write_bytecode = True
+from program import PROGRAM, TESTS, Program
+
 TEAPOT = TESTS / "scenes/teapot.obj"
 AWAY = ("--size", "64x48", "--eye", "0,0,100", "--target", "0,0,200")
 
 
-class Refusals(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.out = pathlib.Path(self.folder.name)
-
-    def tearDown(self):
-        self.folder.cleanup()
-
-    def refused(self, code, *args):
-        done = subprocess.run([PROGRAM, *map(str, args)], capture_output=True, text=True,
-                              timeout=120, cwd=self.out)
-        self.assertEqual(done.returncode, 2, (args, done.stdout, done.stderr))
-        self.assertRegex(done.stderr, rf"^halfspace: error\[{code}\]: [^\n]+\n$", args)
-        self.assertEqual(list(self.out.iterdir()), [], args)
-
+class Refusals(Program):
     def test_numbers_that_no_option_means(self):
         for args in (("vectors", "--generate", "all", "--count", "-1", "--out", "a.csv"),
                      ("vectors", "--generate", "all", "--count", "0", "--out", "a.csv"),
@@ -39,7 +27,7 @@ class Refusals(unittest.TestCase):
                      ("render", TEAPOT, "--out", "a.png", "--fov", "0"),
                      ("render", TEAPOT, "--out", "a.png", "--ortho", "-1"),
                      ("render", TEAPOT, "--out", "a.png", "--samples", "0")):
-            self.refused("HS001", *args)
+            self.refuse("HS001", *args)
 
     def test_outputs_that_would_replace_each_other(self):
         tcov = TESTS / "data/public.tcov"
@@ -47,7 +35,7 @@ class Refusals(unittest.TestCase):
                      ("coverage", tcov, "--out", "a.tcov", "--stats", "a.tcov"),
                      ("vectors", "--generate", "all", "--out", "a.csv", "a.csv"),
                      ("render", TEAPOT, "--out", "")):
-            self.refused("HS001", *args)
+            self.refuse("HS001", *args)
 
     def test_a_second_output_that_fails_leaves_no_first(self):
         tcov = TESTS / "data/public.tcov"
@@ -56,13 +44,13 @@ class Refusals(unittest.TestCase):
                      ("coverage", tcov, "--out", "a.tcov", "--stats", "/dev/full"),
                      ("vectors", "--generate", "all", "--count", "3", "--config", "tiny", "--out",
                       "a.csv", "b.hsv", "--bench", "/proc/self")):
-            self.refused("HS030", *args)
+            self.refuse("HS030", *args)
 
     def test_cameras_without_a_direction(self):
         for args in (("--eye", "1,2,3", "--target", "1,2,3"), ("--up", "0,0,0"),
                      ("--eye", "1e200,0,0"), ("--ortho", "1", "--fov", "40"),
                      ("--target", "0,-1e101,0")):
-            self.refused("HS001", "render", TEAPOT, "--out", "a.png", *args)
+            self.refuse("HS001", "render", TEAPOT, "--out", "a.png", *args)
 
     def test_options_that_would_do_nothing(self):
         vectors = TESTS / "vectors/tiny.hsv"
@@ -77,7 +65,7 @@ class Refusals(unittest.TestCase):
                      ("stability", "--explain", "a/b", "--out", "a.json", "--picture", "a.png"),
                      ("config", "--derived", "--area"),
                      ("bench", "--mesh-out", "a.ply", "--out", "a.json")):
-            self.refused("HS001", *args)
+            self.refuse("HS001", *args)
 
     def test_files_without_a_case(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -89,13 +77,13 @@ class Refusals(unittest.TestCase):
                          ("report", empty, "--out", "page"),
                          ("chart", "subpixel", "--scene", empty, "--out", "a.json"),
                          ("fit", empty, "--out", "a.json")):
-                self.refused("HS041", *args)
+                self.refuse("HS041", *args)
 
     def test_configurations_that_say_a_thing_twice(self):
         with tempfile.TemporaryDirectory() as folder:
             twice = pathlib.Path(folder) / "twice.json"
             twice.write_text('{"samples": 1, "samples": 4}')
-            self.refused("HS003", "render", TEAPOT, "--config", twice, "--out", "a.png")
+            self.refuse("HS003", "render", TEAPOT, "--config", twice, "--out", "a.png")
 
     def test_links_and_pipes_stay_what_they_are(self):
         draw = (PROGRAM, "render", TEAPOT, "--size", "64x48", "--out")
@@ -125,10 +113,10 @@ class Refusals(unittest.TestCase):
         self.assertEqual(list((self.out / "page").iterdir()), [self.out / "page/index.html"])
 
     def test_views_that_show_nothing(self):
-        self.refused("HS041", "report", TEAPOT, *AWAY, "--out", "page")
+        self.refuse("HS041", "report", TEAPOT, *AWAY, "--out", "page")
 
     def test_vectors_that_have_their_own_configuration(self):
-        self.refused("HS001", "vectors", "--from", TESTS / "vectors/tiny.hsv", "--config", "full",
+        self.refuse("HS001", "vectors", "--from", TESTS / "vectors/tiny.hsv", "--config", "full",
                      "--out", "a.csv")
 
     def test_output_that_takes_no_more_is_no_bug(self):

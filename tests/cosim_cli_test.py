@@ -1,32 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """What halfspace cosim leaves behind: whole files or none."""
-import os
-import pathlib
 import signal
 import subprocess
-import tempfile
+import sys
 import time
 import unittest
 
-PROGRAM = os.environ["HALFSPACE"]
-SCENES = pathlib.Path(os.environ["HALFSPACE_TESTS"]) / "scenes"
+sys.dont_write_bytecode = True
+from program import PROGRAM, SCENES, Program
 
 
-class CosimCli(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.out = pathlib.Path(self.folder.name)
-
-    def tearDown(self):
-        self.folder.cleanup()
-
+class CosimCli(Program):
     def names(self):
         return {path.name for path in self.out.iterdir()}
-
-    def run_program(self, *args):
-        return subprocess.run([PROGRAM, "cosim", *map(str, args)], capture_output=True, text=True,
-                              cwd=self.out, timeout=120)
 
     def test_interrupted_waves_replace_nothing(self):
         (self.out / "x.fst").write_text("older")
@@ -44,21 +31,20 @@ class CosimCli(unittest.TestCase):
         self.assertEqual((self.out / "x.fst").read_text(), "older")
 
     def test_waves_of_a_whole_run_are_there(self):
-        done = self.run_program(SCENES / "teapot.obj", "--size", "64x48", "--trace", "x.fst")
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.succeed("cosim", SCENES / "teapot.obj", "--size", "64x48", "--trace", "x.fst")
         self.assertEqual({n for n in self.names() if not n.endswith(".hier")}, {"x.fst"})
         self.assertGreater((self.out / "x.fst").stat().st_size, 1000)
         self.assertEqual(self.names(), {"x.fst"})
 
     def test_statistics_that_fail_leave_no_waves(self):
-        done = self.run_program(SCENES / "teapot.obj", "--size", "64x48", "--trace", "x.fst",
-                                "--stats", "/dev/full")
+        done = self.run_program("cosim", SCENES / "teapot.obj", "--size", "64x48", "--trace",
+                                "x.fst", "--stats", "/dev/full")
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertEqual(self.names(), set())
 
     def test_statistics_do_not_replace_the_trace_of_the_model(self):
-        done = self.run_program(SCENES / "teapot.obj", "--size", "64x48", "--trace", "t.json",
-                                "--stats", "t.model.json")
+        done = self.run_program("cosim", SCENES / "teapot.obj", "--size", "64x48", "--trace",
+                                "t.json", "--stats", "t.model.json")
         self.assertEqual(done.returncode, 2)
         self.assertRegex(done.stderr, r"error\[HS001\]: t.model.json: two outputs")
         self.assertEqual(self.names(), set())

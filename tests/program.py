@@ -52,7 +52,7 @@ class Program(unittest.TestCase):
 
     def run_program(self, *args, environment=None):
         return subprocess.run([PROGRAM, *map(str, args)], capture_output=True, text=True,
-                              timeout=300, env=environment)
+                              timeout=300, env=environment, cwd=self.out)
 
     def succeed(self, *args):
         done = self.run_program(*args)

@@ -247,14 +247,8 @@ void FrameEngine::Work::add_counts() {
 
 void FrameEngine::Work::add_geometry() {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    for (const GeometryStats& from : {plain_[i].stats(), geometry_[i]}) {
-      geometry_sum_.triangles_in += from.triangles_in;
-      geometry_sum_.dropped_not_finite += from.dropped_not_finite;
-      geometry_sum_.outside += from.outside;
-      geometry_sum_.clipped += from.clipped;
-      geometry_sum_.beyond_sides += from.beyond_sides;
-      geometry_sum_.triangles_out += from.triangles_out;
-    }
+    geometry_sum_ += plain_[i].stats();
+    geometry_sum_ += geometry_[i];
     geometry_[i] = {};
     plain_[i] = GeometryStage(constants_.frame, constants_.config);
   }
