@@ -36,6 +36,12 @@ class CosimCli(Program):
         self.assertGreater((self.out / "x.fst").stat().st_size, 1000)
         self.assertEqual(self.names(), {"x.fst"})
 
+    def test_waves_go_through_a_link(self):
+        (self.out / "x.fst").symlink_to("real.fst")
+        self.succeed("cosim", SCENES / "teapot.obj", "--size", "64x48", "--trace", "x.fst")
+        self.assertTrue((self.out / "x.fst").is_symlink())
+        self.assertGreater((self.out / "real.fst").stat().st_size, 1000)
+
     def test_statistics_that_fail_leave_no_waves(self):
         done = self.run_program("cosim", SCENES / "teapot.obj", "--size", "64x48", "--trace",
                                 "x.fst", "--stats", "/dev/full")

@@ -1,46 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <string>
 #include <system_error>
 
-#include "../io/error.hpp"
-#include "../io/interrupt.hpp"
+#include "../io/output_file.hpp"
 
 namespace halfspace {
 
-// Verilator's waves, written beside their destination and put in place by commit(). It writes a
-// second file, .hier, while they are open. Destroyed or interrupted, it leaves neither.
+// Verilator's waves as an OutputFile, with the second file, .hier, that it writes while they are
+// open. Destroyed or interrupted, it leaves neither.
 class WaveFile {
  public:
   explicit WaveFile(const std::string& path)
-      : path_(path),
-        temporary_(path + ".partial-" + std::to_string(::getpid())),
-        removed_(temporary_),
-        hier_removed_(temporary_ + ".hier") {}
+      : file_(path), hier_(file_.temporary() + ".hier"), hier_removed_(hier_) {}
   ~WaveFile() {
     std::error_code ignored;
-    std::filesystem::remove(temporary_, ignored);
-    std::filesystem::remove(temporary_ + ".hier", ignored);
+    std::filesystem::remove(hier_, ignored);
   }
   WaveFile(const WaveFile&) = delete;
   WaveFile& operator=(const WaveFile&) = delete;
 
-  const std::string& temporary() const { return temporary_; }
+  const std::string& temporary() const { return file_.temporary(); }
 
   // After the waves were closed. Without waves, nothing is there. Throws Error(kFileWrite).
   void commit() {
-    std::error_code error;
-    if (std::filesystem::exists(temporary_)) std::filesystem::rename(temporary_, path_, error);
-    if (error) throw Error(ErrorCode::kFileWrite, path_, "cannot write: " + error.message());
+    std::error_code ignored;
+    if (std::filesystem::file_size(temporary(), ignored) > 0) file_.commit();
   }
 
  private:
-  std::string path_, temporary_;
-  RemovedOnInterrupt removed_, hier_removed_;
+  OutputFile file_;
+  std::string hier_;
+  RemovedOnInterrupt hier_removed_;
 };
 
 }  // namespace halfspace

@@ -25,6 +25,8 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   const std::string& path() const { return path_; }
+  // Where it is written: for libraries that open a file by its name.
+  const std::string& temporary() const { return temporary_; }
   void write(std::string_view bytes);
   std::FILE* stream() { return file_; }  // for libraries that write to a stream
   // Everything is written and the file closed, still under its temporary name.
