@@ -17,6 +17,7 @@ namespace {
 enum class Slot { kFree, kTaken, kReady };
 struct Unfinished {
   std::atomic<Slot> slot{Slot::kFree};
+  bool tree = false;
   std::array<char, 4096> path{};
 };
 static_assert(std::atomic<Slot>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
@@ -34,12 +35,26 @@ void end_group(pid_t leader) {
   ::waitpid(leader, nullptr, 0);
 }
 
+// By another program: a handler may not read folders.
+void remove_tree(const char* path) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::execl("/bin/rm", "rm", "-rf", "--", path, nullptr);
+    ::_exit(127);
+  }
+  if (child > 0) ::waitpid(child, nullptr, 0);
+}
+
 void clean_up() {
   if (const pid_t child = child_to_kill; child > 0) end_group(child);
   for (std::size_t i = unfinished.size(); i-- > 0;) {
     if (unfinished[i].slot != Slot::kReady) continue;
     const char* path = unfinished[i].path.data();
-    if (::unlink(path) != 0) ::rmdir(path);
+    if (unfinished[i].tree) {
+      remove_tree(path);
+    } else if (::unlink(path) != 0) {
+      ::rmdir(path);
+    }
   }
 }
 
@@ -75,7 +90,8 @@ void leave_interrupts() {
   for (const int number : {SIGINT, SIGTERM, SIGABRT}) std::signal(number, SIG_DFL);
 }
 
-RemovedOnInterrupt::RemovedOnInterrupt(const std::string& path) : slot_(unfinished.size()) {
+RemovedOnInterrupt::RemovedOnInterrupt(const std::string& path, Kind kind)
+    : slot_(unfinished.size()) {
   if (path.empty() || path.size() >= unfinished[0].path.size()) return;
   // After the newest, so that a folder's files go before it.
   std::size_t next = unfinished.size();
@@ -84,6 +100,7 @@ RemovedOnInterrupt::RemovedOnInterrupt(const std::string& path) : slot_(unfinish
     Slot expected = Slot::kFree;
     if (!unfinished[next].slot.compare_exchange_strong(expected, Slot::kTaken)) continue;
     std::memcpy(unfinished[next].path.data(), path.c_str(), path.size() + 1);
+    unfinished[next].tree = kind == Kind::kTree;
     unfinished[next].slot = Slot::kReady;
     slot_ = next;
     return;

@@ -17,11 +17,13 @@ void handle_interrupts();
 // The default again, for a child process: what it leaves is its parent's to remove.
 void leave_interrupts();
 
-// A file, or a folder that is empty by then, to be removed when interrupted while this object
-// lives; the newest goes first. Up to 64 at a time, more are not removed. Any thread.
+// A file, or a folder, to be removed when interrupted while this object lives; the newest goes
+// first. Up to 64 at a time, more are not removed. Any thread.
 class RemovedOnInterrupt {
  public:
-  explicit RemovedOnInterrupt(const std::string& path);
+  // A folder must be empty by then, or be kTree, which goes with all that is in it.
+  enum class Kind { kFileOrEmptyFolder, kTree };
+  explicit RemovedOnInterrupt(const std::string& path, Kind kind = Kind::kFileOrEmptyFolder);
   ~RemovedOnInterrupt();
   RemovedOnInterrupt(const RemovedOnInterrupt&) = delete;
   RemovedOnInterrupt& operator=(const RemovedOnInterrupt&) = delete;
