@@ -205,10 +205,15 @@ class Cli(unittest.TestCase):
         self.refuse("HS001", "cosim", SCENES / "teapot.obj", "--stall", "1.5", says="1.5")
 
     @unittest.skipUnless(HAS_RTL, "built without RTL")
-    def test_a_configuration_without_rtl_is_refused(self):
-        self.refuse("HS040", "cosim", SCENES / "teapot.obj", "--samples", "8", says="tiny")
-        self.refuse("HS040", "render", SCENES / "teapot.obj", "--out", self.out / "x.png",
-                    "--level", "rtl", "--samples", "8")
+    def test_level_rtl_takes_a_configuration_that_no_preset_has(self):
+        odd = self.out / "odd.json"
+        odd.write_text('{"subpixel_bits": 5, "viewport_bits": 9, "guard_bits": 11, "samples": 2}')
+        pictures = set()
+        for level in ("bit", "rtl"):
+            self.succeed("render", SCENES / "teapot.obj", "--config", odd, "--size", "160x120",
+                         "--level", level, "--out", self.out / "x.png")
+            pictures.add((self.out / "x.png").read_bytes())
+        self.assertEqual(len(pictures), 1)
 
     # --- how it fails -----------------------------------------------------------------------------
 

@@ -11,12 +11,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <new>
-#include <stdexcept>
 
 #include "batch/threads.hpp"
 #include "bumpy_torus.hpp"
 #include "cli/level_run.hpp"
-#include "cli/rtl_link.hpp"
 #include "cli/scene.hpp"
 #include "rasterizer.hpp"
 
@@ -60,11 +58,6 @@ void* counted(void* memory) {
 }
 
 namespace halfspace {
-
-std::uint64_t rasterize_rtl(std::span<const Triangle>, const FrameState&, const Config&,
-                            const std::function<void(const CoverageTile&)>&) {
-  throw std::logic_error("level rtl keeps all triangles, and is not tested here");
-}
 
 namespace {
 

@@ -24,10 +24,7 @@ void PrintTo(const Named& named, std::ostream* out) { *out << named.name; }
 
 class Cosim : public testing::TestWithParam<Named> {
  protected:
-  void SetUp() override {
-    rtl_ = make_rtl_rasterizer(config());
-    ASSERT_NE(rtl_, nullptr);
-  }
+  void SetUp() override { rtl_ = std::make_unique<RtlRasterizer>(config(), false, "rtl"); }
   const Config& config() const { return GetParam().config; }
 
   // Identical, and something was compared.
@@ -147,17 +144,17 @@ INSTANTIATE_TEST_SUITE_P(
 
 // A second model for the waves around a difference lives beside the first and ends before it.
 TEST(RtlModel, TwoModelsLiveAndEndIndependently) {
-  const std::unique_ptr<RtlRasterizer> first = make_rtl_rasterizer(kTiny);
+  RtlRasterizer first(kTiny, false, "rtl");
   const std::vector<Triangle> one{{{{{0, 0}, {0, 200}, {200, 0}}}, 0}};
   const auto run = [&one](RtlRasterizer& rtl) {
     return cosim(rtl, one, {64, 64, Cull::kNone}, kTiny, {}).mismatch.has_value();
   };
   {
-    const std::unique_ptr<RtlRasterizer> second = make_rtl_rasterizer(kTiny);
-    EXPECT_FALSE(run(*second));
-    EXPECT_FALSE(run(*first));
+    RtlRasterizer second(kTiny, false, "rtl");
+    EXPECT_FALSE(run(second));
+    EXPECT_FALSE(run(first));
   }
-  EXPECT_FALSE(run(*first));
+  EXPECT_FALSE(run(first));
 }
 
 // The host refuses such a triangle; an RTL that gets it all the same says so.
@@ -168,12 +165,11 @@ TEST(RtlModel, AnEdgeBeyondTheFittedRangeFailsAnAssertion) {
       for (const bool in_x : {false, true}) {
         Triangle t{{{{0, 0}, {1, 2}, {2, 1}}}, 0};
         (in_x ? t.vertex[1].x : t.vertex[1].y) = span;
-        const std::unique_ptr<RtlRasterizer> rtl = make_rtl_rasterizer(config);
-        ASSERT_NE(rtl, nullptr);
-        rtl->set_frame({16, 16, Cull::kNone});
+        RtlRasterizer rtl(config, false, "rtl");
+        rtl.set_frame({16, 16, Cull::kNone});
         const auto offer = [&] {
-          rtl->drive(&t, true);
-          rtl->clock();
+          rtl.drive(&t, true);
+          rtl.clock();
         };
         if (span == limit) {
           EXPECT_NO_THROW(offer());
@@ -190,9 +186,9 @@ TEST(RtlModel, AnEdgeBeyondTheFittedRangeFailsAnAssertion) {
 
 std::uint64_t rtl_clocks(const std::vector<Triangle>& triangles, const FrameState& frame,
                          std::uint64_t& tiles) {
-  const std::unique_ptr<RtlRasterizer> rtl = make_rtl_rasterizer(kFull);
+  RtlRasterizer rtl(kFull, false, "rtl");
   tiles = 0;
-  return run_rtl(*rtl, triangles, frame, {}, [&](const CoverageTile&) { ++tiles; }).clocks;
+  return run_rtl(rtl, triangles, frame, {}, [&](const CoverageTile&) { ++tiles; }).clocks;
 }
 
 // n triangles with a bounding box of about `extent` px, anywhere in the frame.

@@ -2,11 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The testbench bites: each fault put into a copy of the RTL is found, and its stage named.
 
-A fault counts as found when cosim reports a mismatch of a stage, a bound checker fails, or the
-compiler refuses a width that differs from the model's. The RTL without a fault must pass.
+A fault counts as found when cosim reports a mismatch of a stage, a bound checker fails, or a width
+differs from the model's. The RTL without a fault must pass.
 
-MUTANT_LIBRARIES names the libraries to link, with commas, the dependent ones first:
-halfspace_generators and halfspace_cmodel.
+MUTANT_RUN is the program of testbench/synth/mutant_run.cpp, which builds the RTL it is given.
 """
 import os
 import pathlib
@@ -20,12 +19,9 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "testbench/synth"))
-from rtl_sources import RTL, TOP, listed
+from rtl_sources import RTL
 
-LIBRARIES = os.environ["MUTANT_LIBRARIES"].split(",")
-CXX = [*(["ccache"] if shutil.which("ccache") else []), os.environ.get("CXX", "g++"), "-std=c++20"]
-INCLUDE = [f"-I{ROOT / folder}"
-           for folder in ("cmodel", "cmodel/vectors", "testbench", "testbench/rtl")]
+PROGRAM = os.environ["MUTANT_RUN"]
 
 # What goes wrong, the file, the text and what replaces it. A text occurs exactly once.
 MUTANTS = [
@@ -67,87 +63,20 @@ MUTANTS = [
 ]
 
 
-def run(command, cwd):
-    done = subprocess.run([str(c) for c in command], cwd=cwd, capture_output=True, text=True,
-                          timeout=300)
-    return done.returncode, done.stdout + done.stderr
-
-
-def must(command, cwd):
-    code, text = run(command, cwd)
-    if code != 0:
-        sys.exit(f"rtl_mutants: {command[0]} failed:\n{text[-3000:]}")
-
-
-def compile_common(folder):
-    """What all mutants share: Verilator's runtime, cosim and the program."""
-    root = subprocess.run(["verilator", "--getenv", "VERILATOR_ROOT"], check=True,
-                          capture_output=True, text=True).stdout.strip()
-    include = pathlib.Path(root) / "include"
-    # The defines of Verilator's own makefile: the model's header looks at them too.
-    flags = [f"-I{include}", f"-I{include}/vltstd", "-DVM_COVERAGE=0", "-DVM_SC=0", "-DVM_TRACE=1",
-             "-DVM_TRACE_FST=1", "-DVM_TRACE_VCD=0", "-DVL_TIME_CONTEXT", "-O0", "-w"]
-    sources = [include / "verilated.cpp", include / "verilated_fst_c.cpp",
-               ROOT / "testbench/rtl/cosim.cpp",
-               ROOT / "testbench/rtl/scoreboard.cpp", ROOT / "testbench/synth/mutant_run.cpp"]
-    threads = include / "verilated_threads.cpp"
-    if threads.exists():
-        sources.append(threads)
-    objects = []
-    for source in sources:
-        objects.append(folder / f"{source.stem}.o")
-        must([*CXX, *flags, *INCLUDE, "-c", source, "-o", objects[-1]], folder)
-    return flags, objects
-
-
-def build(rtl, folder, flags, objects):
-    """Compiles one RTL; the program, or what the compiler says."""
-    sources = [rtl / "config/tiny/hs_config_pkg.sv", *listed(rtl, "rtl.f"),
-               *listed(rtl / "checkers", "checkers.f")]
-    code, text = run(["verilator", "--cc", "--assert", "--trace-fst", "--trace-depth", "1",
-                      "-Wno-fatal", "-Wno-lint", "-Wno-style", "--x-assign", "unique",
-                      "--x-initial", "unique", "-O3", "--top-module", TOP, "--prefix", "Vrtl_tiny",
-                      "--Mdir", "model", *sources], folder)
-    if code != 0:
-        return None, text
-    parts = sorted((folder / "model").glob("*.cpp")) + [ROOT / "testbench/rtl/rtl_model.cpp"]
-    # What CMake generates: no configurations but those of the tree.
-    (folder / "rtl_extra.hpp").write_text("#pragma once\n")
-    (folder / "all.cpp").write_text("".join(f'#include "{part}"\n' for part in parts))
-    defines = ["-DHS_NAME=tiny", "-DHS_PREFIX=Vrtl_tiny", "-DHS_CONFIG=kTiny",
-               '-DHS_HEADER="Vrtl_tiny.h"', '-DHS_ROOT_HEADER="Vrtl_tiny___024root.h"',
-               '-DHS_CONFIG_HEADER="Vrtl_tiny_hs_config_pkg.h"',
-               '-DHS_PKG_HEADER="Vrtl_tiny_hs_pkg.h"']
-    code, text = run([*CXX, *flags, *INCLUDE, *defines, f"-I{folder}", f"-I{folder / 'model'}", "-c",
-                      "all.cpp",
-                      "-o", "all.o"], folder)
-    if code != 0:
-        return None, text
-    program = folder / "cosim"
-    must([CXX[-2], "all.o", *objects, *LIBRARIES, "-lfmt", "-lz", "-lpthread", "-o", program],
-         folder)
-    return program, ""
-
-
-def outcome(rtl, folder, flags, objects):
+def outcome(rtl, cache):
     """(passed, the line that says what was found)"""
-    program, text = build(rtl, folder, flags, objects)
-    if program is None:
-        refused = re.search(r".*static assertion failed.*", text)
-        if refused is None:
-            sys.exit("rtl_mutants: does not build:\n" + text[-3000:])
-        expression = re.search(r"\d+ \| (static_assert.*)", text)
-        return False, "compiler: " + (expression[1] if expression else refused[0])
-    code, text = run([program], folder)
+    done = subprocess.run([PROGRAM], capture_output=True, text=True, timeout=600, check=False,
+                          env={**os.environ, "HALFSPACE_RTL": str(rtl),
+                               "HALFSPACE_RTL_CACHE": str(cache)})
+    text = done.stdout + done.stderr
     mismatch = re.search(r"mismatch: .*", text)
-    if code == 0 and mismatch is None:
+    if done.returncode == 0 and mismatch is None:
         return True, "; ".join(text.split("\n")).strip("; ")
-    failed = re.search(r"%Error: (.*)", text)
     if mismatch is None:
-        sys.exit(f"rtl_mutants: ended with {code} and no mismatch:\n{text[-3000:]}")
+        sys.exit(f"rtl_mutants: ended with {done.returncode} and no mismatch:\n{text[-3000:]}")
     if "stage=assertion" in mismatch[0]:
-        where = re.search(r"Assertion failed in (.*)", text)
-        return False, "checker: " + (where or failed)[0]
+        where = re.search(r"Assertion failed in (.*)", text) or re.search(r"%Error: (.*)", text)
+        return False, "checker: " + where[0]
     return False, mismatch[0]
 
 
@@ -155,7 +84,6 @@ def main():
     killed, start = 0, time.monotonic()
     with tempfile.TemporaryDirectory() as name:
         common = pathlib.Path(name)
-        flags, objects = compile_common(common)
         for number, mutant in enumerate([None, *MUTANTS]):
             folder = common / f"mutant{number}"
             rtl = folder / "rtl"
@@ -166,7 +94,7 @@ def main():
                 if text.count(before) != 1:
                     sys.exit(f"rtl_mutants: {file} holds {text.count(before)} of: {before}")
                 (rtl / file).write_text(text.replace(before, after))
-            passed, line = outcome(rtl, folder, flags, objects)
+            passed, line = outcome(rtl, folder / "cache")
             seconds = time.monotonic() - start
             if mutant is None:
                 print(f"no fault: {line}  [{seconds:.0f} s]", flush=True)

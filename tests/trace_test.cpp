@@ -93,9 +93,8 @@ std::string gunzip(const std::string& bytes) {
 TEST(Trace, ModelAndRtlLeaveTheSameBytes) {
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);
-    const std::unique_ptr<RtlRasterizer> rtl = make_rtl_rasterizer(c.config);
-    ASSERT_NE(rtl, nullptr);
-    const TraceLog from_rtl = trace_rtl(*rtl, c.triangles, c.frame, c.stalls);
+    RtlRasterizer rtl(c.config, false, "rtl");
+    const TraceLog from_rtl = trace_rtl(rtl, c.triangles, c.frame, c.stalls);
     const TraceLog from_model = model_log(c);
     ASSERT_GT(from_model.link(from_model.links() - 1).size(), 10u);
     for (const char* name : {"a.kanata.gz", "a.json"}) {

@@ -13,7 +13,7 @@ namespace halfspace {
 namespace {
 
 std::string rtl_text(const RunStats::Prediction::Rtl& rtl) {
-  if (!rtl.available) return "; the RTL of this configuration is not in this build";
+  if (!rtl.available) return "; no Verilator or C++ compiler here to build the RTL and replay it";
   return fmt::format("; {} windows, {} clocks, replayed on the RTL: {}", rtl.windows, rtl.clocks,
                      rtl.mismatch.empty() ? "identical in bits and clocks" : "different");
 }

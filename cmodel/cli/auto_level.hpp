@@ -9,7 +9,7 @@
 namespace halfspace {
 
 // Level auto: predicts the clocks of one frame (fit/estimate.hpp), replays some of what that rests
-// on on the RTL where this build has it (fit/replay.hpp), and adds both to stats.predicted. Prints
+// on on the RTL where it can be built (fit/replay.hpp), and adds both to stats.predicted. Prints
 // the first difference of a run on stderr.
 void add_prediction(std::span<const Triangle> triangles, const FrameState& frame,
                     const Config& config, RunStats& stats);

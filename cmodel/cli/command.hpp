@@ -39,7 +39,7 @@ struct ConfigOptions {
 void stands_alone(CLI::App& command, CLI::Option* option,
                   const std::vector<std::string>& with = {});
 
-// Throws Error(kLevel) when the level is rtl and this build has none of the configuration.
+// Builds the RTL if need be when the level is rtl. Throws Error(kLevel) where it cannot be built.
 void require_level(Level level, const Config& config);
 
 // --cull none|back|front.

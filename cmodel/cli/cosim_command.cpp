@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// halfspace cosim: options. What it does is in cosim_run.cpp, in builds that have the RTL.
+// halfspace cosim: options. What it does is in cosim_run.cpp.
 #include <CLI/CLI.hpp>
 #include <memory>
 

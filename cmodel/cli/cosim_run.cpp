@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// halfspace cosim, in builds that have the RTL.
+// halfspace cosim.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -132,7 +132,8 @@ std::string write_waves(const Frame& frame, const Config& config, const CosimOpt
   traced.trace = waves.temporary();
   traced.trace_from = mismatch.clock > kWavesBefore ? mismatch.clock - kWavesBefore : 0;
   traced.trace_to = mismatch.clock + kWavesAfter;
-  cosim(*make_rtl_rasterizer(config), frame.triangles, frame.state, config, traced);
+  RtlRasterizer rtl(config, true, "cosim");
+  cosim(rtl, frame.triangles, frame.state, config, traced);
   waves.commit();
   write_save_file(path, config, mismatch.clock);
   return path;
@@ -232,14 +233,20 @@ int run_cosim(const CosimRequest& request) {
                 fmt::format("{} is out of range (0..0.95)", request.stall));
   }
   const Config config = request.config.load();
-  require_rtl(config, "--config");
   const std::unique_ptr<Scene> scene = open_checked(request, config);
-  const std::unique_ptr<RtlRasterizer> rtl = make_rtl_rasterizer(config);
+  const bool has_waves = is_wave_file(request.trace);
+  std::unique_ptr<RtlRasterizer> rtl;
+  try {
+    rtl = std::make_unique<RtlRasterizer>(config, has_waves, "cosim");
+  } catch (const RtlDrift& drift) {
+    fmt::print(stderr, "halfspace: mismatch: {}\n", drift.line());
+    return 1;
+  }
 
   Totals totals;
   OutputGroup outputs;
   std::optional<WaveFile> waves;
-  if (is_wave_file(request.trace)) waves.emplace(request.trace);
+  if (has_waves) waves.emplace(request.trace);
   std::optional<Mismatch> mismatch;
   for (std::size_t i = 0; i < scene->frames() && !mismatch; ++i) {
     Frame frame{.index = i, .state = {}, .triangles = {}};

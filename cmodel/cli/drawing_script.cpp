@@ -12,7 +12,7 @@
 #include "../io/error.hpp"
 #include "../io/interrupt.hpp"
 #include "../io/output_file.hpp"
-#include "source_tree.hpp"
+#include "../io/source_tree.hpp"
 
 namespace halfspace {
 namespace {

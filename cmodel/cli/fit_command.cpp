@@ -19,7 +19,7 @@
 #include "../io/output_file.hpp"
 #include "command.hpp"
 #include "number_checks.hpp"
-#include "source_tree.hpp"
+#include "../io/source_tree.hpp"
 
 namespace halfspace {
 namespace {
@@ -229,7 +229,7 @@ Action add_fit_command(CLI::App& program) {
       ->check(not_negative())
       ->type_name("PX");
   command->add_flag("--synth", a->synth, "Measure the area with yosys");
-  command->add_flag("--cosim", a->cosim, "Run the emitted cosim.sh: lint, build, compare");
+  command->add_flag("--cosim", a->cosim, "Run the emitted cosim.sh: lint, compare with the model");
   command->add_option("--source", a->source, "The project's source tree");
   command->footer(
       "A scene or view that was not given may be refused by the configuration (HS022).\n"

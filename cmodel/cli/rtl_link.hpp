@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The program's only door to the Verilated RTL: a build without Verilator has rtl_absent.cpp behind
-// it instead of rtl_link.cpp.
+// What the program does with the Verilated RTL, which is built when it is asked for
+// (testbench/rtl/rtl_build.hpp).
 #pragma once
 
 #include <functional>
@@ -18,7 +18,8 @@
 
 namespace halfspace {
 
-// Throws Error(kLevel) when this build has no RTL of the configuration, naming what there is.
+// Builds the RTL of the configuration if need be. Throws Error, kLevel when it cannot be built
+// here.
 void require_rtl(const Config& config, const std::string& place);
 
 // Level rtl: the triangles through the RTL, tiles in order. Returns the clocks it took. Throws
@@ -28,7 +29,7 @@ std::uint64_t rasterize_rtl(std::span<const Triangle> triangles, const FrameStat
                             const std::function<void(const CoverageTile&)>& tile);
 
 // Level rtl against level cycle (fit/replay.hpp): every packet at every handshake, in bits and
-// clock, from reset, without stalls. Nothing when this build has no RTL of the configuration.
+// clock, from reset, without stalls. Nothing where no RTL can be built.
 std::optional<RtlAgreement> compare_with_rtl(std::span<const Triangle> triangles,
                                              const FrameState& frame, const Config& config);
 

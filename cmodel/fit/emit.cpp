@@ -29,16 +29,16 @@ std::vector<std::string> lines_of(const fs::path& path) {
   return lines;
 }
 
-std::string script(const std::string& source, const std::vector<EmitRun>& runs) {
+std::string script(const std::vector<EmitRun>& runs) {
+  std::error_code ignored;
   std::string text = R"SH(#!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Lints this configuration's RTL with Verilator and yosys, builds halfspace with it and compares it
-# with the model, every packet in bits and clock. Written by halfspace fit.
+# Lints this configuration's RTL with Verilator and yosys, and compares it with the model, every
+# packet in bits and clock. $HALFSPACE names another program. Written by halfspace fit.
 set -eu
 cd "$(dirname "$0")"
-here=$(pwd)
 )SH";
-  text += "source=" + quoted(source) + R"SH(
+  text += fmt::format(R"SH(halfspace=${{HALFSPACE:-{}}}
 rm -f cosim_*.json
 checkers=$(sed 's|^|rtl/checkers/|' rtl/checkers/checkers.f)
 verilator --lint-only -Wall --assert --top-module hs_rasterizer rtl/hs_lint.vlt \
@@ -49,18 +49,14 @@ hierarchy -check -top hs_rasterizer
 proc
 check -assert"
 echo 'yosys check: no problem'
-echo 'building halfspace with this RTL (minutes; log: build.log)'
-{
-  cmake -S "$source" -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DHALFSPACE_TESTS=OFF \
-    -DHALFSPACE_LAB=OFF -DHALFSPACE_RTL=ON -DHALFSPACE_RTL_CONFIGS=none \
-    "-DHALFSPACE_RTL_EXTRA=$here" &&
-  cmake --build build --target halfspace
-} > build.log 2>&1 || { cat build.log >&2; exit 1; }
-)SH";
+HALFSPACE_RTL=$(pwd)/rtl
+export HALFSPACE_RTL
+)SH",
+                      quoted(fs::read_symlink("/proc/self/exe", ignored).string()));
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    text += fmt::format(
-        "build/cmodel/halfspace cosim {}{} --config config.json --stall 0.3 --stats {}\n",
-        quoted(fs::absolute(runs[i].scene).string()), runs[i].options, emitted_stats(i));
+    text += fmt::format("\"$halfspace\" cosim {}{} --config config.json --stall 0.3 --stats {}\n",
+                        quoted(fs::absolute(runs[i].scene).string()), runs[i].options,
+                        emitted_stats(i));
   }
   return text;
 }
@@ -122,10 +118,9 @@ void RtlFolder::write(const Config& config, const std::vector<EmitRun>& runs) {
   std::string list;
   for (const std::string& file : files) list += file + "\n";
   write("files.f", list);
-  write("hs_config_pkg.sv",
-        config_package(config, "config.json beside it; the compiler compares them"));
+  write("hs_config_pkg.sv", config_package(config, "config.json beside it"));
   write("config.json", config_json(config).dump(2) + "\n");
-  const std::string path = write("cosim.sh", script(fs::absolute(source_).string(), runs));
+  const std::string path = write("cosim.sh", script(runs));
   std::error_code ignored;
   fs::permissions(path, fs::perms::owner_exec | fs::perms::group_exec, fs::perm_options::add,
                   ignored);

@@ -30,8 +30,10 @@ enum class ErrorCode : int {
   kFitOracle = 24,      // this build has no oracle to measure against
   kFitTool = 25,        // a tool that --synth or --emit-rtl needs is missing or failed
   kFileWrite = 30,      // cannot create, write or rename the output
-  kLevel = 40,          // level not available in this build
+  kLevel = 40,          // level not available here
   kScene = 41,          // the scene does not fit the request (camera, case number, ...)
+  kRtlBuild = 42,       // the RTL of a configuration could not be built
+  kRtlDrift = 43,       // the RTL was elaborated to other widths than the model's
   kMethod = 70,         // no method of that name
   kMethodOption = 71,   // an option that the method cannot honour
   kMethodGaveUp = 72,   // a method did not finish within its budget of steps

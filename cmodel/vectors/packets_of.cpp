@@ -31,6 +31,12 @@ void take_slopes(Taker& take, SetupTriangle& setup) {
   }
 }
 
+void take_box(Taker& take, Box& box) {
+  for (std::int32_t* edge : {&box.x_first, &box.y_first, &box.x_last, &box.y_last}) {
+    *edge = take.word();
+  }
+}
+
 void put_slopes(Values& values, const SetupTriangle& setup) {
   for (const EdgeSlope& slope : setup.slope) {
     values.push_back(slope.a);
@@ -123,6 +129,17 @@ Triangle triangle_of(const Values& ports) {
   return triangle;
 }
 
+SetupTriangle setup_of(const Values& ports) {
+  Taker take(ports);
+  SetupTriangle out;
+  take_slopes(take, out);
+  for (std::int64_t& e : out.e) e = take.next();
+  take_box(take, out.box);
+  out.flipped = take.next() != 0;
+  out.tag = take.unsigned_word();
+  return out;
+}
+
 NodeOfTriangle node_of(const Values& ports) {
   Taker take(ports);
   NodeOfTriangle out;
@@ -130,12 +147,21 @@ NodeOfTriangle node_of(const Values& ports) {
   out.node.y = take.word();
   for (std::int64_t& e : out.node.e) e = take.next();
   take_slopes(take, out.setup);
-  Box& box = out.setup.box;
-  for (std::int32_t* edge : {&box.x_first, &box.y_first, &box.x_last, &box.y_last}) {
-    *edge = take.word();
-  }
+  take_box(take, out.setup.box);
   out.setup.tag = take.unsigned_word();
   return out;
+}
+
+CoverageTile coverage_of(const Values& ports, const Config& config) {
+  Taker take(ports);
+  CoverageTile tile;
+  tile.x = take.word();
+  tile.y = take.word();
+  for (int m = config.samples - 1; m >= 0; --m) {
+    tile.mask[static_cast<std::size_t>(m)] = static_cast<GridMask>(take.next());
+  }
+  tile.tag = take.unsigned_word();
+  return tile;
 }
 
 InterpolationInput interpolation_input_of(const Values& ports, const Config& config) {

@@ -14,12 +14,18 @@ namespace halfspace {
 // Values of triangle_layout().
 Triangle triangle_of(const Values& ports);
 
+// Values of setup_layout(); the corners are functions of the slopes and not read.
+SetupTriangle setup_of(const Values& ports);
+
 // Values of traversal_layout(); the corners are functions of the slopes and not read.
 struct NodeOfTriangle {
   Node node;
   SetupTriangle setup;  // slopes, box and tag
 };
 NodeOfTriangle node_of(const Values& ports);
+
+// Values of coverage_layout().
+CoverageTile coverage_of(const Values& ports, const Config& config);
 
 // Values of interpolation_in_layout().
 struct InterpolationInput {

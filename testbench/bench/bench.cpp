@@ -50,10 +50,7 @@ void check_names(const BenchOptions& options) {
       throw Error(ErrorCode::kUsage, "--engine",
                   fmt::format("'{:.40}' is not one of {}", name, fmt::join(engines, ", ")));
     }
-    if (name == "rtl" && !has_rtl()) {
-      throw Error(ErrorCode::kLevel, "--engine rtl",
-                  "this build has no RTL (configure with HALFSPACE_RTL=ON)");
-    }
+    if (name == "rtl") build_bench_rtl();
     if (name == "llvmpipe" && !no_llvmpipe().empty()) {
       throw Error(ErrorCode::kEngine, "--engine llvmpipe", no_llvmpipe());
     }

@@ -64,9 +64,11 @@ std::vector<BenchEntry> coverage_entries(const Workload& work, const BenchOption
 // Engines of whole frames, work.mesh drawn with depth test and colour: bit.
 std::vector<BenchEntry> frame_entries(const Workload& work, const BenchOptions& options);
 
-// The Verilated RTL; nothing when the build has none.
+// The Verilated RTL; nothing where it cannot be built.
 std::vector<BenchEntry> rtl_entries(const Workload& work);
 bool has_rtl();
+// Builds it if need be. Throws Error(kLevel) where it cannot be built.
+void build_bench_rtl();
 
 // Mesa's llvmpipe through OSMesa on the same triangles, or the same mesh; nothing when it is not
 // there. One thread, all of its work in the calling one.

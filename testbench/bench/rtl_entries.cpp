@@ -3,14 +3,17 @@
 
 #include "cosim.hpp"
 #include "entry.hpp"
+#include "rtl_build.hpp"
 
 namespace halfspace {
 
-bool has_rtl() { return make_rtl_rasterizer(kBenchConfig) != nullptr; }
+bool has_rtl() { return rtl_tools_missing().empty(); }
+
+void build_bench_rtl() { rtl_object_file(kBenchConfig, false, "--engine rtl"); }
 
 std::vector<BenchEntry> rtl_entries(const Workload& work) {
-  const std::shared_ptr<RtlRasterizer> rtl = make_rtl_rasterizer(kBenchConfig);
-  if (rtl == nullptr) return {};
+  if (!has_rtl()) return {};
+  const auto rtl = std::make_shared<RtlRasterizer>(kBenchConfig, false, "--engine");
   const auto run = [&work, rtl] {
     BenchOutput out;
     MaskSum masks;

@@ -7,20 +7,20 @@
 #include <cstdint>
 #include <deque>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "cycle_model.hpp"
+#include "rtl_rasterizer.hpp"
 
 namespace halfspace {
 
-// What the model says will change hands, and when. One struct for all links keeps the queues alike;
-// a field that a link does not have stays at its default on both sides.
+// One packet that the model says will change hands: when, of which triangle, and the values of its
+// fields (link_layout()).
 struct Packet {
   std::uint64_t clock = 0;
   std::uint64_t triangle = 0;
-  SetupTriangle setup;
-  Node node;
-  CoverageTile tile;
+  Values values;
 };
 
 // The packets of all links, made on demand, one triangle at a time.
@@ -46,23 +46,23 @@ class Expectation {
  private:
   struct Listener {
     Expectation& to;
-    void accepted(std::uint64_t clock) { to.push(kLinkAccept, clock); }
+    SetupTriangle triangle{};
+
+    void accepted(std::uint64_t clock) { to.push(kLinkAccept, clock, {}); }
     void setup(std::uint64_t clock, const SetupTriangle& packet) {
-      to.push(kLinkSetup, clock).setup = packet;
+      triangle = packet;
+      to.push(kLinkSetup, clock, values_of(packet, to.config_));
     }
     void node(int level, std::uint64_t clock, const Node& packet) {
-      to.push(level + 1, clock).node = packet;
+      to.push(level + 1, clock, values_of(packet, triangle, to.config_));
     }
     void tile(std::uint64_t clock, const CoverageTile& packet) {
-      to.push(link_output(to.config_), clock).tile = packet;
+      to.push(link_output(to.config_), clock, values_of(packet, to.config_));
     }
   };
 
-  Packet& push(int link, std::uint64_t clock) {
-    Packet& packet = queue_[static_cast<std::size_t>(link)].emplace_back();
-    packet.clock = clock;
-    packet.triangle = done_;
-    return packet;
+  void push(int link, std::uint64_t clock, Values values) {
+    queue_[static_cast<std::size_t>(link)].push_back({clock, done_, std::move(values)});
   }
   void run_one() {
     const auto start = std::chrono::steady_clock::now();

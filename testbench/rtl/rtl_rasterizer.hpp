@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The Verilated rasterizer behind one interface for every preset: packets in and out, one clock at
-// a time. The only place where packets meet ports is rtl_model.cpp.
+// The Verilated rasterizer of any legal configuration: packets in and out, one clock at a time.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "config.hpp"
+#include "io/error.hpp"
+#include "layout.hpp"
 #include "packets.hpp"
+#include "rtl_object.h"
 
 namespace halfspace {
 
@@ -20,42 +23,61 @@ constexpr int kLinkAccept = 0;
 constexpr int kLinkSetup = 1;
 constexpr int link_output(const Config& config) { return config.levels() + 1; }
 
-class RtlRasterizer {
+// The fields of a link's packet; none at kLinkAccept, whose packet the testbench gives.
+Layout link_layout(int link, const Config& config);
+
+// A width or count that the RTL was elaborated with is not the model's.
+class RtlDrift : public Error {
  public:
-  virtual ~RtlRasterizer() = default;
+  RtlDrift(const std::string& name, std::int64_t model, std::int64_t rtl);
+  // "stage=configuration field=NAME model=VALUE rtl=VALUE"
+  const std::string& line() const { return line_; }
 
-  // The free values the RTL was built with; those it does not have are the preset's.
-  virtual const Config& config() const = 0;
-
-  // Holds reset for `clocks` clocks; everything inside is lost, the clock count starts again.
-  virtual void reset(int clocks) = 0;
-  // Stable while busy().
-  virtual void set_frame(const FrameState& frame) = 0;
-
-  // Inputs of the coming clock edge: a triangle (null: none) and whether a tile can be taken.
-  virtual void drive(const Triangle* triangle, bool ready) = 0;
-
-  // After drive(): whether a packet changes hands at the coming edge, and which.
-  virtual bool fires(int link) const = 0;
-  virtual SetupTriangle setup() const = 0;  // link kLinkSetup
-  virtual Node node(int level) const = 0;   // link level + 1, level >= 1
-  virtual std::uint32_t node_tag(int level) const = 0;
-  virtual CoverageTile coverage() const = 0;  // link_output()
-
-  // The edge. Throws std::runtime_error when an assertion in the RTL fired.
-  virtual void clock() = 0;
-  virtual bool busy() const = 0;
-
-  // Waves from now on into an FST file, until close or destruction.
-  virtual void open_trace(const std::string& path) = 0;
-  virtual void close_trace() = 0;
+ private:
+  std::string line_;
 };
 
-// The model built for this configuration's RTL values (subpixel, viewport and guard bits, samples,
-// grid, setup interval, tag); null when there is none in this build.
-std::unique_ptr<RtlRasterizer> make_rtl_rasterizer(const Config& config);
+class RtlRasterizer {
+ public:
+  // Builds the RTL if need be (rtl_build.hpp, whose errors it throws; place is for them). waves:
+  // open_trace() works. Throws RtlDrift.
+  RtlRasterizer(const Config& config, bool waves, const std::string& place);
+  ~RtlRasterizer();
+  RtlRasterizer(const RtlRasterizer&) = delete;
+  RtlRasterizer& operator=(const RtlRasterizer&) = delete;
 
-// Names of the RTL configurations in this build.
-std::vector<std::string> rtl_configurations();
+  const Config& config() const { return config_; }
+
+  // Holds reset for `clocks` clocks; everything inside is lost, the clock count starts again.
+  void reset(int clocks);
+  // Stable while busy().
+  void set_frame(const FrameState& frame);
+
+  // Inputs of the coming clock edge: a triangle (null: none) and whether a tile can be taken.
+  void drive(const Triangle* triangle, bool ready);
+
+  // After drive(): whether a packet changes hands at the coming edge, and which: the values of
+  // link_layout(link).
+  bool fires(int link) const { return (fires_ >> link & 1) != 0; }
+  Values packet(int link) const;
+  CoverageTile coverage() const;  // the packet of link_output()
+
+  // The edge. Throws std::runtime_error when an assertion in the RTL fired.
+  void clock();
+  bool busy() const { return object_->busy(rtl_) != 0; }
+
+  // Waves from now on into an FST file, until close or destruction.
+  void open_trace(const std::string& path) { object_->open_waves(rtl_, path.c_str()); }
+  void close_trace() { object_->close_waves(rtl_); }
+
+ private:
+  Config config_;
+  Layout frame_layout_;
+  Layout triangle_layout_;
+  std::vector<Layout> layouts_;  // per link
+  const hs_rtl_object* object_;
+  hs_rtl* rtl_ = nullptr;
+  std::uint64_t fires_ = 0;
+};
 
 }  // namespace halfspace

@@ -3,13 +3,19 @@
 
 #include <stdexcept>
 
+#include "packets_of.hpp"
+
 namespace halfspace {
 
 void record_handshakes(const RtlRasterizer& rtl, std::uint64_t clock, TraceLog& log) {
   if (rtl.fires(kLinkAccept)) log.accepted(clock);
-  if (rtl.fires(kLinkSetup)) log.setup(clock, rtl.setup().tag);
+  if (rtl.fires(kLinkSetup)) {
+    log.setup(clock, setup_of(rtl.packet(kLinkSetup)).tag);
+  }
   for (int level = 1; level < log.config().levels(); ++level) {
-    if (rtl.fires(level + 1)) log.node(level, clock, rtl.node_tag(level), rtl.node(level));
+    if (!rtl.fires(level + 1)) continue;
+    const NodeOfTriangle packet = node_of(rtl.packet(level + 1));
+    log.node(level, clock, packet.setup.tag, packet.node);
   }
   if (rtl.fires(link_output(log.config()))) {
     const CoverageTile tile = rtl.coverage();

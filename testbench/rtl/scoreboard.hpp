@@ -12,8 +12,6 @@
 
 namespace halfspace {
 
-class Difference;
-
 // Holds references: all must outlive it. Adds to result, and sets its mismatch once.
 class Scoreboard {
  public:
@@ -27,17 +25,12 @@ class Scoreboard {
  private:
   bool check_link(int link, std::uint64_t clock);
   bool same(int link, const Packet& packet, Mismatch& found);
-  void compare(const SetupTriangle& model, const SetupTriangle& rtl, Difference& difference) const;
-  static void compare(const Node& model, const Node& rtl, Difference& difference);
-  void compare(const CoverageTile& model, const CoverageTile& rtl, Difference& difference) const;
-  std::uint32_t tag_mask() const {
-    return config_.tag_bits == 32 ? ~0u : (1u << config_.tag_bits) - 1;
-  }
 
   RtlRasterizer& rtl_;
   Expectation& expected_;
   const Config& config_;
   CosimResult& result_;
+  std::vector<Layout> layouts_;       // per link
   std::vector<std::uint64_t> count_;  // packets so far, per link
 };
 

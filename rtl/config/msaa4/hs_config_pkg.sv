@@ -5,7 +5,7 @@
 // Compile before rtl.f. hs_pkg takes the values from the macros: yosys 0.23 cannot read one package
 // from another.
 //
-// Twin: cmodel/config.hpp; the compiler compares them, so drift is a build error.
+// Twin: cmodel/config.hpp; tests/config_package_test.cpp compares them.
 `define HS_SUBPIXEL_BITS 8
 `define HS_VIEWPORT_BITS 12
 `define HS_GUARD_BITS 13  // 0: no guard band

@@ -19,8 +19,8 @@ class Model final : public GridRtl {
   void clock(std::int64_t base, EdgeSlope slope, bool load) override {
     const Layout one{{"base", config_.lane_bits(), true}};
     const Layout two{{"a", config_.delta_bits(), true}, {"b", config_.delta_bits(), true}};
-    set_port(top_.base_i, pack({base}, one));
-    set_port(top_.slope_i, pack({slope.a, slope.b}, two));
+    set_port(top_.base_i, pack({base}, one).data());
+    set_port(top_.slope_i, pack({slope.a, slope.b}, two).data());
     top_.load_i = load;
     for (const std::uint8_t level : {0, 1}) {
       top_.clk_i = level;

@@ -50,13 +50,13 @@ class StageModel final : public StageRtl {
   }
   void set_frame(const FrameState& frame) override {
     if constexpr (requires { top_.frame_i; }) {
-      set_port(top_.frame_i, pack(values_of(frame), frame_layout(config_)));
+      set_port(top_.frame_i, pack(values_of(frame), frame_layout(config_)).data());
     }
   }
   void drive(const PortWords* packet, bool ready) override {
     top_.valid_i = packet != nullptr;
     top_.ready_i = ready;
-    if (packet != nullptr) set_port(input_port(top_), *packet);
+    if (packet != nullptr) set_port(input_port(top_), packet->data());
     top_.clk_i = 0;
     top_.eval();
   }

@@ -2,7 +2,7 @@
 //
 // The free values of test configuration `one_level`: whole-pixel vertices; the root is the leaf.
 //
-// Compile before rtl.f. Twin: testbench/rtl/rtl_configs.hpp; the compiler compares them.
+// Compile before rtl.f. Twin: testbench/rtl/rtl_configs.hpp; tests/config_package_test.cpp compares them.
 `define HS_SUBPIXEL_BITS 0
 `define HS_VIEWPORT_BITS 3
 `define HS_GUARD_BITS 5

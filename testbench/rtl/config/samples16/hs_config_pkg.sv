@@ -2,7 +2,7 @@
 //
 // The free values of test configuration `samples16`: sixteen samples, finer than the subpixels.
 //
-// Compile before rtl.f. Twin: testbench/rtl/rtl_configs.hpp; the compiler compares them.
+// Compile before rtl.f. Twin: testbench/rtl/rtl_configs.hpp; tests/config_package_test.cpp compares them.
 `define HS_SUBPIXEL_BITS 2
 `define HS_VIEWPORT_BITS 6
 `define HS_GUARD_BITS 7

@@ -12,7 +12,7 @@ fs::path folder_with(const fs::path& relative) {
   for (fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
        folder.has_relative_path(); folder = folder.parent_path()) {
     for (const fs::path& candidate : {folder, folder / "share" / "halfspace"}) {
-      if (fs::exists(candidate / relative, error)) return candidate;
+      if (fs::exists(candidate / relative, error)) return fs::canonical(candidate);
     }
   }
   return {};
