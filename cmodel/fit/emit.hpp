@@ -17,7 +17,8 @@ struct EmitRun {
 
 // A folder with a configuration's RTL, whole or as it was: config.json, hs_config_pkg.sv, rtl/ (a
 // copy of the source tree's), files.f (what to compile, in order) and cosim.sh, which lints and
-// compares this RTL with the model on the runs; each leaves its statistics in emitted_stats(). Destroyed without commit(), or interrupted, it leaves nothing behind.
+// compares this RTL with the model on the runs; each leaves its statistics in emitted_stats().
+// Destroyed without commit(), or interrupted, it leaves nothing behind.
 class RtlFolder {
  public:
   // source: the project's source tree. Throws Error(kFileWrite) when the folder cannot be written,
