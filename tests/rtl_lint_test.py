@@ -31,6 +31,8 @@ BANNED = [
     (re.compile(r"\b(assert|assume|cover)\s+(property|\()"), "an assertion belongs to checkers/"),
     (re.compile(r"^\s*initial\b"), "an initial value: state begins with rst_ni"),
     (re.compile(r"\balways\b(?!_)"), "plain always: always_ff or always_comb"),
+    (re.compile(r"\b(if\s*\(.*\)|else)\s+assign\b|\(\s*genvar\b(?!.*\bbegin : )"),
+     "an unnamed generate block: newer Verilators warn"),
 ]
 
 
@@ -87,10 +89,13 @@ class RtlLint(unittest.TestCase):
                "  logic [3:0] a [4];", "  logic [3:0] a, b [4];", "  logic [3:0][1:0] a;",
                "  input  logic [7:0] a_i [2],", "    return a;", "  a = '{default: 0};",
                "  if (a inside {1, 2})", "  parameter type T = logic,", "  initial a = 0;",
-               "  always @(posedge clk_i) a <= b;", "  assert property (a |-> b);"]
+               "  always @(posedge clk_i) a <= b;", "  assert property (a |-> b);",
+               "  if (J == 0) assign a = b;", "  else assign a = b;",
+               "  for (genvar j = 0; j < N; j++) begin", "  for (genvar j = 0; j < N; j++)"]
         good = ["  logic [3:0] a, b;", "  assign a = b[3:0];", "  hs_pkg::edge_t edge0, edge1;",
                 "  localparam logic [3:0] A = B[3:0];", "  // import nothing, return nothing",
-                "  logic signed [hs_pkg::N-1:0] a, b;", "  always_comb begin"]
+                "  logic signed [hs_pkg::N-1:0] a, b;", "  always_comb begin",
+                "  for (genvar j = 0; j < N; j++) begin : gen_row", "  end else begin : gen_last"]
         for line in bad:
             self.assertNotEqual(faults(line), [], line)
         for line in good:
