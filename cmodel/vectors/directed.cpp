@@ -68,14 +68,22 @@ class Director {
     return {x * one_ + ((p.x * one_) >> 4), y * one_ + ((p.y * one_) >> 4)};
   }
   std::int64_t near(std::int64_t reach) { return random_.in(-reach, reach); }
+  // Beside (x, y). Like every two draws of this file in statements of their own, y's first:
+  // compilers differ in the order in which they evaluate a call's arguments.
+  Point beside(std::int64_t x, std::int64_t y, std::int64_t reach, std::int64_t unit = 1) {
+    const std::int64_t dy = near(reach) * unit, dx = near(reach) * unit;
+    return legal(x + dx, y + dy);
+  }
 
   // Around one sample, seldom around its neighbour too.
   Triangle pin() {
     const Step s = sample();
     const std::int64_t r = random_.in(1, std::max<std::int64_t>(1, one_ / random_.in(1, 4)));
-    return triangle(legal(s.x - random_.in(0, r), s.y - random_.in(0, r)),
-                    legal(s.x + random_.in(0, r), s.y - random_.in(0, r)),
-                    legal(s.x + near(r), s.y + random_.in(0, r)));
+    const auto part = [&] { return random_.in(0, r); };
+    const std::int64_t bottom = s.y + part(), middle = s.x + near(r);
+    const std::int64_t top_right = s.y - part(), right = s.x + part();
+    const std::int64_t top_left = s.y - part(), left = s.x - part();
+    return triangle(legal(left, top_left), legal(right, top_right), legal(middle, bottom));
   }
 
   // A direction of every kind: along an axis, a diagonal, or between.
@@ -103,7 +111,7 @@ class Director {
     const Point a = legal(s.x + d.x * there, s.y + d.y * there);
     const Point b = legal(s.x - d.x * back, s.y - d.y * back);
     const std::int64_t reach = random_.in(1, 12) * one_;
-    const Point c = legal(s.x + near(reach), s.y + near(reach));
+    const Point c = beside(s.x, s.y, reach);
     // The mirror image of c in s lies on the other side.
     const Point e = legal(2 * s.x - c.x, 2 * s.y - c.y);
     return {triangle(a, b, c), triangle(a, b, e)};
@@ -111,10 +119,7 @@ class Director {
 
   Triangle on_samples() {
     const Step s = sample();
-    const auto vertex = [&] {
-      const std::int64_t reach = random_.in(1, 6);
-      return legal(s.x + near(reach) * one_, s.y + near(reach) * one_);
-    };
+    const auto vertex = [&] { return beside(s.x, s.y, random_.in(1, 6), one_); };
     const Point b = vertex();
     return triangle(legal(s.x, s.y), b, vertex());
   }
@@ -165,10 +170,11 @@ class Director {
     const std::int64_t u = east ? -1 : 1, v = south ? -1 : 1;  // to the tile's middle
     const std::int64_t shift = random_.in(-one_ / 8, one_);
     const std::int64_t reach = random_.in(grid, 3 * grid) * one_;
+    const std::int64_t down = random_.in(grid, 3 * grid) * one_;
+    const std::int64_t across = random_.in(grid, 3 * grid) * one_;
     return triangle(legal(px + u * shift + u * reach, py - v * reach),
                     legal(px + u * shift - u * reach, py + v * reach),
-                    legal(px + u * random_.in(grid, 3 * grid) * one_,
-                          py + v * random_.in(grid, 3 * grid) * one_));
+                    legal(px + u * across, py + v * down));
   }
 
   // An edge along an axis, some tiles long.
@@ -190,9 +196,9 @@ class Director {
     const auto corner = [&](int size) { return random_.in(0, (size - 1) >> side) << side; };
     const std::int64_t x = corner(frame_.width) * one_, y = corner(frame_.height) * one_;
     const std::int64_t reach = random_.in(1, 2 * config_.grid()) * one_;
-    const Point a = legal(x + near(reach), y + near(reach));
-    const Point b = legal(x + near(reach), y + near(reach));
-    return triangle(a, b, legal(x + near(reach), y + near(reach)));
+    const Point a = beside(x, y, reach);
+    const Point b = beside(x, y, reach);
+    return triangle(a, b, beside(x, y, reach));
   }
 
   // Around a sample, twice the area a power of two: a right angle, or sheared, which reaches more.
@@ -201,7 +207,8 @@ class Director {
     const std::int64_t low = config_.coordinate_min(), high = config_.coordinate_max();
     const std::int64_t along = random_.in(0, 3) == 0 ? 3 : 1, across = along / 2;
     const auto most = static_cast<std::uint64_t>(config_.extent_max() / along);
-    const auto leg = [&] { return std::int64_t{1} << random_.in(0, std::bit_width(most) - 1); };
+    const auto last = static_cast<std::int64_t>(std::bit_width(most)) - 1;
+    const auto leg = [&] { return std::int64_t{1} << random_.in(0, last); };
     const std::int64_t a = leg(), b = leg(), part = random_.in(0, 3);
     const std::int64_t u = random_.in(0, 1) == 0 ? -1 : 1;
     const std::int64_t v = random_.in(0, 1) == 0 ? -1 : 1;
@@ -216,12 +223,16 @@ class Director {
 
   // A vertex with a phase next to 0, 1/2 or 1.
   Triangle phased() {
-    const auto around = [&] { return random_.in(0, 3) * (one_ / 2) + near(1); };
+    const auto around = [&] {
+      const std::int64_t phase = random_.in(0, 3) * (one_ / 2);
+      return phase + near(1);
+    };
     const Step s = sample();
     const std::int64_t x = (s.x & -one_) + around(), y = (s.y & -one_) + around();
     const std::int64_t reach = 3 * one_;
-    return triangle(legal(x, y), legal(x + random_.in(0, reach), y + near(reach)),
-                    legal(x + near(reach), y + random_.in(0, reach)));
+    const std::int64_t below = random_.in(0, reach), away = near(reach);
+    const std::int64_t level = near(reach), right = random_.in(0, reach);
+    return triangle(legal(x, y), legal(x + right, y + level), legal(x + away, y + below));
   }
 
   Triangle degenerate() {

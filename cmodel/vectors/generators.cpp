@@ -125,12 +125,21 @@ std::array<Point, 3> vertices(Random& random, Shape shape, const FrameState& fra
     case Shape::kSmall: return around(20 * one);
     case Shape::kTiny: return around(one);
     case Shape::kSliver: return sliver(random, config);
-    case Shape::kNearHorizontal:
-      return {a, legal(wide().x, a.y + random.in(-3, 3), config),
-              legal(wide().x, a.y + random.in(-3, 3), config)};
-    case Shape::kNearVertical:
-      return {a, legal(a.x + random.in(-3, 3), wide().y, config),
-              legal(a.x + random.in(-3, 3), wide().y, config)};
+    // Every draw in a statement of its own: compilers differ in the order of a call's arguments.
+    case Shape::kNearHorizontal: {
+      const auto beside = [&] {
+        const std::int64_t y = a.y + random.in(-3, 3);
+        return legal(wide().x, y, config);
+      };
+      return {a, beside(), beside()};
+    }
+    case Shape::kNearVertical: {
+      const auto below = [&] {
+        const std::int64_t y = wide().y;
+        return legal(a.x + random.in(-3, 3), y, config);
+      };
+      return {a, below(), below()};
+    }
     case Shape::kOnSamples:
       return {to_centre(a, config), to_centre(b, config), to_centre(c, config)};
     case Shape::kThroughSample: return through_sample(random, frame, config);
