@@ -158,8 +158,9 @@ inline std::vector<std::pair<int, int>> telling_tiles(Random& random, const Tria
     const int mask = -config.grid();
     if (inside) tiles.emplace_back(static_cast<int>(x) & mask, static_cast<int>(y) & mask);
     if (i % 8 == 7) {
-      tiles.emplace_back(static_cast<int>(random.in(0, frame.width - 1)) & mask,
-                         static_cast<int>(random.in(0, frame.height - 1)) & mask);
+      const auto row = static_cast<int>(random.in(0, frame.height - 1));
+      const auto column = static_cast<int>(random.in(0, frame.width - 1));
+      tiles.emplace_back(column & mask, row & mask);
     }
   }
   return tiles;

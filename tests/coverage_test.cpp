@@ -116,7 +116,8 @@ TEST(Coverage, RandomTilesMatchTheDefinition) {
         for (std::size_t i = 0; i < 3; ++i) {
           setup.slope[i] = {static_cast<std::int32_t>(random.in(-40, 40)),
                             static_cast<std::int32_t>(random.in(-40, 40))};
-          node.e[i] = random.in(-100, 100) * random.in(0, unit);
+          const std::int64_t steps = random.in(-100, 100);
+          node.e[i] = steps * random.in(0, unit);
         }
         const CoverageTile tile = coverage(node, setup, config).value_or(CoverageTile{});
         for (std::size_t m = 0; m < standard.size(); ++m) {

@@ -27,8 +27,8 @@ GridInput random_input(Random& random, const Config& config, int side) {
   GridInput input;
   input.slope = {static_cast<std::int32_t>(value(config.delta_bits())),
                  static_cast<std::int32_t>(value(config.delta_bits()))};
-  const std::int64_t turn =
-      input.slope.a * random.in(0, side - 1) + input.slope.b * random.in(0, side - 1);
+  const std::int64_t column = random.in(0, side - 1), row = random.in(0, side - 1);
+  const std::int64_t turn = input.slope.a * column + input.slope.b * row;
   input.base = random.in(0, 3) == 0 ? value(config.delta_bits()) : random.in(-1, 0) - turn;
   return input;
 }

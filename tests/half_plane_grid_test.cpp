@@ -73,9 +73,9 @@ TEST(HalfPlaneGrid, RandomInputOfTheWidestWidthsMatchesDirectEvaluation) {
           static_cast<std::int32_t>(random.in(-limit, limit - 1) >> small),
           static_cast<std::int32_t>(random.in(-limit, limit - 1) >> random.in(0, small))};
       // A base that puts the border near a lane, and sometimes exactly on it.
-      const std::int64_t base =
-          random.in(-1, 1) -
-          lane(0, slope, static_cast<int>(random.in(-1, 8)), static_cast<int>(random.in(-1, 8)));
+      const std::int64_t beside = random.in(-1, 1);
+      const auto j = static_cast<int>(random.in(-1, 8)), i = static_cast<int>(random.in(-1, 8));
+      const std::int64_t base = beside - lane(0, slope, i, j);
       if (!legal(base, slope, config)) continue;
       ASSERT_EQ(half_plane_grid(base, slope, config), direct(base, slope, config))
           << "base " << base << " a " << slope.a << " b " << slope.b << " seed " << kSeed << ", "
