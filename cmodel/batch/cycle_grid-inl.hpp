@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "cycle_kernel.hpp"
+#include "simd/targets.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace halfspace::cycle::HWY_NAMESPACE {
@@ -38,11 +39,11 @@ inline constexpr LaneTable kLane;
 
 // Bit i: lane i is negative.
 HWY_INLINE std::uint64_t negative(VI v) {
-#if HWY_TARGET == HWY_AVX3
+#if HALFSPACE_AVX512
   return _mm512_movepi32_mask(v.raw);
-#elif HWY_TARGET == HWY_AVX2
+#elif HALFSPACE_AVX2
   return static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(v.raw)));
-#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+#elif HALFSPACE_SSE
   return static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(v.raw)));
 #else
   std::int32_t lane[kLanes];
@@ -83,7 +84,7 @@ HWY_INLINE std::uint64_t grid_mask(const std::int32_t (&edge)[3][64], std::int32
   const VI b0 = hn::Set(d, base0);
   const VI b1 = hn::Set(d, base1);
   const VI b2 = hn::Set(d, base2);
-#if HWY_TARGET == HWY_AVX3
+#if HALFSPACE_AVX512
   __mmask16 bits[4];
   for (std::size_t v = 0; v < 4; ++v) {
     const VI s0 = hn::Add(hn::Load(d, edge[0] + 16 * v), b0);

@@ -15,14 +15,7 @@
 
 #include "batch.hpp"
 #include "kernel.hpp"
-
-// Instruction sets with 512-bit, 256-bit and shorter vectors of their own.
-#undef HALFSPACE_AVX512
-#undef HALFSPACE_AVX2
-#undef HALFSPACE_SSE
-#define HALFSPACE_AVX512 (HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL)
-#define HALFSPACE_AVX2 (HWY_TARGET == HWY_AVX2)
-#define HALFSPACE_SSE (HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3)
+#include "targets.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace halfspace::simd::HWY_NAMESPACE {

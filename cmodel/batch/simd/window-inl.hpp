@@ -64,7 +64,7 @@ struct TileOrder {
 inline constexpr TileOrder kTileOrder;
 
 HWY_INLINE __m512i to_tiles(__m512i rows) {
-#if HWY_TARGET == HWY_AVX3_DL
+#if HALFSPACE_VBMI
   return _mm512_permutexvar_epi8(_mm512_load_si512(kTileOrder.byte), rows);
 #else
   return _mm512_permutexvar_epi32(_mm512_load_si512(kTileOrder.word),
