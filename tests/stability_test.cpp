@@ -6,13 +6,14 @@
 
 #include <csignal>
 #include <map>
+#include <string_view>
 
 #include "lab/suite_shapes.hpp"
 
 namespace halfspace::lab {
 namespace {
 
-const methods::Method& method(const std::string& name) {
+const methods::Method& method(std::string_view name) {
   for (const methods::Method& m : lab_methods()) {
     if (m.name == name) return m;
   }
@@ -20,7 +21,7 @@ const methods::Method& method(const std::string& name) {
   return lab_methods().front();
 }
 
-const Suite& suite(const std::string& name) {
+const Suite& suite(std::string_view name) {
   for (const Suite& s : suites()) {
     if (s.name == name) return s;
   }

@@ -96,7 +96,7 @@ void require_finished(const methods::Method& method, const methods::Canvas& canv
   throw Error(ErrorCode::kMethodGaveUp, "--method", fmt::format("{} did not finish", method.name));
 }
 
-const methods::Method& find_method(const std::string& name, const std::string& shade) {
+const methods::Method& find_method(std::string_view name, std::string_view shade) {
   const methods::Method* method = methods::find(name);
   if (method == nullptr) {
     throw Error(ErrorCode::kMethod, "--method",

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "../methods/method.hpp"
 #include "pictures.hpp"
@@ -13,7 +14,7 @@ namespace halfspace {
 
 // The method of that name, able to draw the shade: empty (whatever it has), gouraud, flat or depth
 // (methods with attributes) or coverage. Throws Error(kMethod) and Error(kMethodOption).
-const methods::Method& find_method(const std::string& name, const std::string& shade);
+const methods::Method& find_method(std::string_view name, std::string_view shade);
 
 // A frame before snapping, in every form that a method may take.
 methods::Drawing scene_drawing(const Scene& scene, std::size_t index, const FrameState& frame);

@@ -35,7 +35,9 @@ void add_box(Layout& layout, const Config& config) {
   }
 }
 void add_box(Values& values, const Box& box) {
-  values.insert(values.end(), {box.x_first, box.y_first, box.x_last, box.y_last});
+  for (const std::int64_t side : {box.x_first, box.y_first, box.x_last, box.y_last}) {
+    values.push_back(side);
+  }
 }
 
 void add_tag(Layout& layout, const Config& config) {
