@@ -7,6 +7,7 @@ import pathlib
 import re
 import signal
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -16,6 +17,9 @@ TESTS = pathlib.Path(os.environ["HALFSPACE_TESTS"])
 SCENES = TESTS / "scenes"
 HAS_RTL = os.environ.get("HALFSPACE_HAS_RTL") == "ON"
 TEAPOT = SCENES / "teapot.obj"
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(TESTS.parent / "testbench/synth"))
+from tool_versions import tool
 
 
 class FitCli(unittest.TestCase):
@@ -94,7 +98,7 @@ class FitCli(unittest.TestCase):
         self.assertGreater(len(files), 10)
         listed = (rtl / "rtl/checkers/checkers.f").read_text().split()
         checkers = [f"rtl/checkers/{name}" for name in listed]
-        subprocess.run(["verilator", "--lint-only", "-Wall", "--assert", "--top-module",
+        subprocess.run([tool("verilator"), "--lint-only", "-Wall", "--assert", "--top-module",
                         "hs_rasterizer", "rtl/hs_lint.vlt", *files, *checkers], cwd=rtl, check=True)
         subprocess.run(["sh", "-n", rtl / "cosim.sh"], check=True)
         self.assertTrue(os.access(rtl / "cosim.sh", os.X_OK))

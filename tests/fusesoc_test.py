@@ -10,11 +10,16 @@ from fusesoc/capi2/exprs.py. FuseSoC itself is not needed and was not run.
 import pathlib
 import re
 import subprocess
+import sys
 import unittest
 
 import yaml
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(ROOT / "testbench/synth"))
+import tool_versions
+
 RTL = ROOT / "rtl"
 CORES = [RTL / "halfspace.core", ROOT / "testbench/dpi/halfspace_scoreboard.core"]
 WORD = r"[A-Za-z0-9:<>.\[\]_,=~/^+-]+"
@@ -157,9 +162,10 @@ class FuseSoc(unittest.TestCase):
         self.assertEqual(tool["mode"], "lint-only")
         for flags in (set(), {"tiny"}):
             names = files(core, "lint", {*flags, "tool_verilator"})
-            done = subprocess.run(["verilator", "--lint-only", *tool["verilator_options"],
-                                   "--top-module", target["toplevel"], *names], cwd=RTL,
-                                  capture_output=True, text=True, timeout=120, check=False)
+            done = subprocess.run([tool_versions.tool("verilator"), "--lint-only",
+                                   *tool["verilator_options"], "--top-module", target["toplevel"],
+                                   *names], cwd=RTL, capture_output=True, text=True, timeout=120,
+                                  check=False)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
 
 

@@ -20,6 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "testbench/synth"))
 from rtl_sources import config, design, yosys_read
+from tool_versions import tool
 
 START = time.monotonic()
 VECTORS = os.environ["NETLIST_VECTORS"]
@@ -45,7 +46,8 @@ def verilator(name, sources, folder):
     build = folder / name
     if shutil.which("ccache"):
         os.environ["OBJCACHE"] = "ccache"  # Verilator's runtime is the same for all
-    run("verilator", "--binary", "--timing", "-O3", "--x-assign", "unique", "--x-initial", "unique",
+    run(tool("verilator"), "--binary", "--timing", "-O3",
+        "--x-assign", "unique", "--x-initial", "unique",
         "-Wno-fatal", "-Wno-lint", "-Wno-style", "-CFLAGS", "-O0", "--top-module", "netlist_tb",
         "--Mdir", build, "-o", "simulation", *defines(folder), *sources, TESTBENCH, cwd=folder)
     program = [build / "simulation", "+verilator+rand+reset+2", "+verilator+seed+7"]
@@ -85,7 +87,7 @@ class Netlist(unittest.TestCase):
             folder = pathlib.Path(name)
             run(VECTORS, preset, folder, cwd=folder)
             netlist = folder / "netlist.v"
-            run("yosys", "-q", "-p", f"{yosys_read(preset)}; {PASSES}; "
+            run(tool("yosys"), "-q", "-p", f"{yosys_read(preset)}; {PASSES}; "
                 f"write_verilog -noattr {netlist}", cwd=folder)
             outputs = {
                 "verilator-source": verilator("source", [config(preset), *design()], folder),

@@ -6,16 +6,19 @@
 - yosys reads it, elaborates it, and check -assert finds nothing
 - no construct that one of the tools does not read, or reads differently
 """
+import os
 import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "testbench/synth"))
 from rtl_sources import PRESETS, RTL, TEST_CONFIGS, TOP, checkers, config, design, yosys_read
+from tool_versions import tool
 
 DECLARED = re.compile(r"^\s*(?:(?:input|output)\s+)?(?:localparam\s+|parameter\s+)?"
                       r"(logic|bit|int|integer|genvar|[\w:]+_t)\b\s*(?:signed\b|unsigned\b)?\s*"
@@ -61,15 +64,30 @@ class RtlLint(unittest.TestCase):
     def test_verilator_warns_of_nothing(self):
         for name in [*PRESETS, *TEST_CONFIGS]:
             with self.subTest(config=name):
-                self.run_tool("verilator", "--lint-only", "-Wall", "--assert", "--top-module", TOP,
-                              RTL / "hs_lint.vlt", config(name), *design(), *checkers())
+                self.run_tool(tool("verilator"), "--lint-only", "-Wall", "--assert",
+                              "--top-module", TOP, RTL / "hs_lint.vlt", config(name), *design(),
+                              *checkers())
         print(f"verilator: {len(PRESETS)} presets and {len(TEST_CONFIGS)} test configurations")
 
     def test_yosys_finds_no_problem(self):
         for name in [*PRESETS, *TEST_CONFIGS]:
             with self.subTest(config=name):
-                self.run_tool("yosys", "-q", "-p", f"{yosys_read(name)}; proc; check -assert")
+                self.run_tool(tool("yosys"), "-q", "-p", f"{yosys_read(name)}; proc; check -assert")
         print(f"yosys: {len(PRESETS)} presets and {len(TEST_CONFIGS)} test configurations")
+
+    def test_a_version_that_is_not_tested_is_noted_once(self):
+        twice = "from tool_versions import tool; print(tool('yosys'), tool('yosys'))"
+        for said, note in (("Yosys 0.52 (git sha1 0)", ""),
+                           ("Yosys 0.60+1 (git sha1 0)",
+                            "note: yosys 0.60 is not tested; 0.23 and 0.52 are\n")):
+            with tempfile.TemporaryDirectory() as folder:
+                fake = pathlib.Path(folder) / "yosys"
+                fake.write_text(f"#!/bin/sh\necho '{said}'\n")
+                fake.chmod(0o755)
+                done = subprocess.run([sys.executable, "-B", "-c", twice], capture_output=True,
+                                      text=True, check=True, cwd=ROOT / "testbench/synth",
+                                      env={**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"})
+                self.assertEqual((done.stdout, done.stderr), ("yosys yosys\n", note))
 
     def test_every_module_is_listed(self):
         self.assertEqual(sorted(design()), sorted(RTL.glob("*.sv")))

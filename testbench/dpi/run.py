@@ -15,6 +15,9 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.dont_write_bytecode = True
+sys.path.insert(1, str(HERE.parent / "synth"))  # installed, it lies beside this file
+from tool_versions import tool
 
 
 def find(what, folders, name):
@@ -65,7 +68,7 @@ def main():
         if shutil.which("ccache"):
             environment["OBJCACHE"] = "ccache"
         build = subprocess.run(
-            ["verilator", "--binary", "--assert", "-O3", "--timescale", "1ns/1ps",
+            [tool("verilator"), "--binary", "--assert", "-O3", "--timescale", "1ns/1ps",
              "--top-module", "hs_scoreboard_tb", "-Mdir", work, "-j", "2", "-o", "scoreboard",
              "-CFLAGS", f"-I{include}",
              "-MAKEFLAGS", "OPT_FAST=-O1 OPT_SLOW=-O0 OPT_GLOBAL=-O1", "-LDFLAGS",

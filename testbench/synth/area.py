@@ -17,7 +17,9 @@ import sys
 
 sys.dont_write_bytecode = True
 import area_page
+import tool_versions
 from rtl_sources import PRESETS, ROOT, TOP, config, design, yosys_read
+from tool_versions import tool
 
 HERE = pathlib.Path(__file__).resolve().parent
 LIBERTY = pathlib.Path("/usr/share/qflow/tech/osu018/osu018_stdcells.lib")
@@ -41,7 +43,7 @@ def run(command, log):
 def yosys(commands, folder, name):
     script = folder / f"{name}.ys"
     script.write_text("\n".join(commands) + "\n")
-    return run(["yosys", "-q", str(script)], folder / f"{name}.log")
+    return run([tool("yosys"), "-q", str(script)], folder / f"{name}.log")
 
 
 def stage_of(path):
@@ -211,7 +213,7 @@ def main():
                 result.write_text(json.dumps(MEASURE[kind](preset, folder)))
             if result.exists():
                 figures.setdefault(preset, {})[kind] = json.loads(result.read_text())
-    tools = {"yosys": version("yosys", "-V").split(" (")[0].removeprefix("Yosys "),
+    tools = {"yosys": tool_versions.version("yosys"),
              "opensta": version("sta", "-version"),
              "nextpnr": version("nextpnr-ice40", "-V").split("Version ")[-1].rstrip(")")}
     data = {"tools": tools, "presets": figures}

@@ -13,6 +13,7 @@ import sys
 
 sys.dont_write_bytecode = True
 import area
+import tool_versions
 from rtl_sources import ROOT
 
 MODULE = """module divider(input [15:0] n, input [{r}:0] reciprocal, output [8:0] q);
@@ -40,7 +41,7 @@ def main():
     rows = {str(r): {"multiplier_luts": multiplier(r, folder),
                      "table_bits": (1 << (r - 1)) * (r + 1)} for r in range(6, 17)}
     data = {"command": "./run charts subpixel-area",
-            "tools": {"yosys": area.version("yosys", "-V").split(" (")[0].removeprefix("Yosys ")},
+            "tools": {"yosys": tool_versions.version("yosys")},
             "reciprocal_bits": rows}
     out = pathlib.Path(ROOT / "docs/charts/interpolation_area.json")
     out.write_text(json.dumps(data, indent=1) + "\n")

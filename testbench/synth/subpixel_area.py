@@ -14,6 +14,7 @@ import sys
 
 sys.dont_write_bytecode = True
 import area
+import tool_versions
 from rtl_sources import ROOT, config
 
 BITS = list(range(13))
@@ -61,7 +62,7 @@ def main():
         if row:
             tiles[str(1 << log2)] = row
     data = {"command": "./run charts subpixel-area", "preset": "tiny",
-            "tools": {"yosys": area.version("yosys", "-V").split(" (")[0].removeprefix("Yosys "),
+            "tools": {"yosys": tool_versions.version("yosys"),
                       "opensta": area.version("sta", "-version")},
             "subpixel_bits": figures, "tile_px": tiles}
     out = ROOT / "docs/charts/subpixel_area.json"

@@ -29,6 +29,7 @@ import tempfile
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from rtl_sources import RTL, listed
+from tool_versions import tool
 
 
 def run(command, folder, check=True):
@@ -44,18 +45,18 @@ def make_netlist(folder, top, count, seed):
     files = [folder / "hs_config_pkg.sv", *listed(RTL, "rtl.f")]
     read = (f"read_verilog -sv {' '.join(map(str, files))}; hierarchy -check -top {top}; proc; "
             "flatten; opt -full; wreduce; peepopt; opt; clean -purge; rename -top mutated; "
-            "write_ilang design.il; write_json design.json")
-    run(["yosys", "-q", "-p", read], folder)
-    run(["yosys", "-q", "-p", f"read_ilang design.il; mutate -list {count} -seed {seed} "
+            "write_rtlil design.il; write_json design.json")
+    run([tool("yosys"), "-q", "-p", read], folder)
+    run([tool("yosys"), "-q", "-p", f"read_rtlil design.il; mutate -list {count} -seed {seed} "
          "-o faults.txt"], folder)
     faults = [line for line in (folder / "faults.txt").read_text().splitlines()
               if line.startswith("mutate") and "-mode none" not in line]
-    script = ["read_ilang design.il"]
+    script = ["read_rtlil design.il"]
     for number, fault in enumerate(faults, 1):
         script.append(fault.replace("mutate ", f"mutate -ctrl mutsel 32 {number} ", 1))
     script += ["rename mutated " + top, "opt_clean", "write_verilog -noattr netlist.v"]
     (folder / "mutate.ys").write_text("\n".join(script) + "\n")
-    run(["yosys", "-q", "-s", "mutate.ys"], folder)
+    run([tool("yosys"), "-q", "-s", "mutate.ys"], folder)
     return faults
 
 
@@ -148,10 +149,10 @@ def equivalent(folder, number, fault, seconds):
     work.mkdir()
     for name, change in (("gold", ""), ("gate", fault)):
         # Nothing is cleaned away yet: both must have the same registers.
-        run(["yosys", "-q", "-p", f"read_ilang {folder}/design.il; {change}; "
+        run([tool("yosys"), "-q", "-p", f"read_rtlil {folder}/design.il; {change}; "
              f"write_json {work}/raw.json"], work)
         cut_registers(work / "raw.json", work / f"{name}.json", name)
-    done = run(["yosys", "-q", "-p", "read_json gold.json; read_json gate.json; opt_clean; "
+    done = run([tool("yosys"), "-q", "-p", "read_json gold.json; read_json gate.json; opt_clean; "
                 "miter -equiv -ignore_gold_x -flatten gold gate miter; hierarchy -top miter; "
                 "delete gold gate; opt_merge -share_all; opt_expr -fine; opt_clean; "
                 "opt_merge -share_all; opt_expr -full; opt_clean; "
@@ -165,7 +166,7 @@ def equivalent(folder, number, fault, seconds):
 def build(folder):
     if shutil.which("ccache"):
         os.environ["OBJCACHE"] = "ccache"
-    run(["verilator", "--binary", "--timing", "-O3", "-CFLAGS", "-O1", "--x-assign", "unique",
+    run([tool("verilator"), "--binary", "--timing", "-O3", "-CFLAGS", "-O1", "--x-assign", "unique",
          "--x-initial", "unique", "-Wno-fatal", "-Wno-lint", "-Wno-style", "-DHS_NETLIST",
          "-DHS_MUTSEL", "--top-module", "hs_vectors_tb", "--Mdir", "build", "-o", "bench",
          "-j", "2", "netlist.v", "hs_vectors_dut.sv", "hs_vectors_tb.sv"], folder)
