@@ -12,7 +12,7 @@ std::string out_of_range(std::string_view field, int value, std::string_view ran
 
 struct Range {
   std::string_view field;
-  int Config::*value;
+  ConfigField value;
   int low;
   int high;
 };

@@ -120,6 +120,9 @@ struct Config {
   constexpr std::int64_t coordinate_min() const { return has_guard_band() ? -coordinate_max() : 0; }
 };
 
+// Which of its fields that are numbers.
+using ConfigField = int Config::*;
+
 // The named presets.
 inline constexpr Config kFull{};
 inline constexpr Config kTiny{

@@ -58,7 +58,7 @@ TEST(Config, PyramidCoversTheViewportWithTheFewestLevels) {
 
 struct Field {
   const char* name;
-  int Config::*value;
+  ConfigField value;
   int low;
   int high;
 };

@@ -16,8 +16,8 @@ void tbb_for(int threads, void (*call)(void* context, int i), void* context) {
                                   static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
   arena.execute([=] {
-    tbb::parallel_for(
-        0, threads, [=](int i) { call(context, i); }, tbb::simple_partitioner());
+    const auto one = [=](int i) { call(context, i); };
+    tbb::parallel_for(0, threads, one, tbb::simple_partitioner());
   });
 }
 

@@ -135,8 +135,8 @@ ClockEstimate run_all(const Windows& windows, std::span<const Triangle> triangle
   out.exact = true;
   out.windows = out.of = 1;
   out.triangles = out.triangles_at_cycle = triangles.size();
-  add_stretches(
-      windows, windows.count(), [](std::size_t i) { return i; }, out);
+  const auto every = [](std::size_t i) { return i; };
+  add_stretches(windows, windows.count(), every, out);
   return out;
 }
 
@@ -174,8 +174,8 @@ ClockEstimate estimate_clocks(std::span<const Triangle> triangles, const FrameSt
   out.clocks = windows.clocks(0) + ratio * windows.sum(windows.last(0), triangles.size());
   out.low = out.clocks - half;
   out.high = out.clocks + half;
-  add_stretches(
-      windows, kWindows, [&](std::size_t i) { return i == 0 ? 0 : chosen[i - 1]; }, out);
+  const auto window = [&](std::size_t i) { return i == 0 ? 0 : chosen[i - 1]; };
+  add_stretches(windows, kWindows, window, out);
   return out;
 }
 

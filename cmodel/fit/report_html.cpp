@@ -117,7 +117,7 @@ std::vector<ChartPoint> points_of(const std::vector<AccuracyPoint>& curve) {
 
 // The estimated area by the bits of one field, the others as fitted.
 std::string cost_chart(const Config& fitted, const std::string& of, const std::string& name,
-                       int Config::*field, int from, int to) {
+                       ConfigField field, int from, int to) {
   std::vector<ChartPoint> luts;
   for (int bits = from; bits <= to; ++bits) {
     Config config = fitted;

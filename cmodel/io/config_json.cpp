@@ -15,7 +15,7 @@ namespace {
 
 struct Field {
   const char* key;
-  int Config::*value;
+  ConfigField value;
 };
 
 constexpr std::array<Field, 13> kFields{{

@@ -8,7 +8,7 @@ namespace {
 
 struct Macro {
   const char* name;
-  int Config::*value;
+  ConfigField value;
 };
 
 constexpr Macro kMacros[] = {{"SUBPIXEL_BITS", &Config::subpixel_bits},

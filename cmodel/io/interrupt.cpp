@@ -77,7 +77,7 @@ extern "C" void on_interrupt(int) {
 }  // namespace
 
 void handle_interrupts() {
-  struct sigaction action {};
+  struct sigaction action = {};
   ::sigfillset(&action.sa_mask);
   action.sa_handler = on_interrupt;
   ::sigaction(SIGINT, &action, nullptr);

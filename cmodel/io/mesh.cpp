@@ -210,8 +210,8 @@ Mesh import(const std::string& path, Checked checked) {
   const auto require = [&](const aiScene* scene) -> const aiScene& {
     if (scene != nullptr) return *scene;
     std::string text = importer.GetErrorString();
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    const auto ends_line = [](char c) { return c == '\n' || c == '\r'; };
+    std::replace_if(text.begin(), text.end(), ends_line, ' ');
     throw Error(ErrorCode::kMeshBroken, path, text.empty() ? "cannot be read" : text);
   };
   const aiScene& raw = require(importer.ReadFile(path, 0));

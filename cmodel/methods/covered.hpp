@@ -32,8 +32,8 @@ void for_each_covered(const Facet& facet, Canvas& canvas, Pixel&& pixel, int bit
 
 // The same as plain hits.
 inline void draw_exact(const Facet& facet, Canvas& canvas, int bits = 8) {
-  for_each_covered(
-      facet, canvas, [&canvas](int x, int y) { canvas.hit(x, y); }, bits);
+  const auto hit = [&canvas](int x, int y) { canvas.hit(x, y); };
+  for_each_covered(facet, canvas, hit, bits);
 }
 
 }  // namespace halfspace::methods

@@ -28,7 +28,7 @@ std::uint32_t tag(std::size_t number, const Config& config) {
 std::array<Point, 3> within(std::array<Point, 3> vertex, const Config& config) {
   if (config.extent_bits == 0) return vertex;
   const std::int64_t side = config.extent_max();
-  const auto cut = [&](std::int32_t Point::*axis) {
+  const auto cut = [&](auto axis) {  // &Point::x or &Point::y
     const std::int64_t most = std::max(config.coordinate_max() - side, config.coordinate_min());
     const std::int64_t middle = (std::int64_t{vertex[1].*axis} + vertex[2].*axis) / 2;
     const std::int64_t first = vertex[0].*axis - (middle < vertex[0].*axis ? side : 0);
