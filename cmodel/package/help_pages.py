@@ -105,7 +105,8 @@ def manual(commands, version):
 
 def choices(name, text):
     """The words that an option takes, when --help lists them."""
-    kind = name.split(" ", 1)[1].split("=")[0] if " " in name else ""
+    # A default follows the kind: "a|b=a" by CLI11 2.1, "a|b [a]" by 2.4.
+    kind = re.split("[ =]", name)[1] if " " in name else ""
     if re.fullmatch(r"[a-z0-9_]+(\|[a-z0-9_]+)+", kind):
         return kind.split("|")
     if re.fullmatch(r"[a-z_]+(, [a-z_]+)* or [a-z_]+", text):
