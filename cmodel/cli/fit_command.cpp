@@ -105,7 +105,8 @@ nlohmann::ordered_json read_json(const fs::path& path) {
   return nlohmann::ordered_json::parse(read_file(path.string()));
 }
 
-// yosys's figures of the emitted RTL, and of `full` as the project's documentation has them.
+// yosys's figures of the emitted RTL, and of `full` as the project's documentation has them, when
+// those are of the same yosys.
 void synthesise(const FitArguments& a, FitReport& report) {
   const fs::path work = fs::path(a.emit) / "synth";
   fs::create_directories(work);
@@ -117,7 +118,10 @@ void synthesise(const FitArguments& a, FitReport& report) {
            (work / "log").string(), "--synth");
   report.measured = read_json(area);
   const fs::path known = fs::path(a.source) / "docs/charts/area.json";
-  if (fs::exists(known)) report.measured_full = read_json(known)["presets"]["full"]["flat"];
+  if (!fs::exists(known)) return;
+  const nlohmann::ordered_json figures = read_json(known);
+  if (figures["tools"]["yosys"] != (*report.measured)["yosys"]) return;
+  report.measured_full = figures["presets"]["full"]["flat"];
 }
 
 // The command that makes the same configuration.

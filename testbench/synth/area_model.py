@@ -15,6 +15,7 @@ import tempfile
 import numpy
 
 sys.dont_write_bytecode = True
+import tool_versions
 from rtl_sources import ROOT
 
 DATA = ROOT / "docs/charts/fit_area.json"
@@ -51,7 +52,9 @@ def measure(program, entries):
                                       "--package"], capture_output=True, text=True, check=True)
             (folder / "hs_config_pkg.sv").write_text(package.stdout)
             entry["measured"] = area.measure_flat(str(folder / "hs_config_pkg.sv"), folder)
-    DATA.write_text("[\n" + ",\n".join(" " + json.dumps(e) for e in entries) + "\n]\n")
+    tools = json.dumps({"yosys": tool_versions.version("yosys")})
+    rows = ",\n".join(" " + json.dumps(e) for e in entries)
+    DATA.write_text(f'{{"tools": {tools}, "configurations": [\n{rows}\n]}}\n')
 
 
 def main():
@@ -59,7 +62,7 @@ def main():
     parser.add_argument("program", help="the halfspace program")
     parser.add_argument("--measure", action="store_true", help="synthesise again")
     arguments = parser.parse_args()
-    entries = json.loads(DATA.read_text())
+    entries = json.loads(DATA.read_text())["configurations"]
     if arguments.measure:
         measure(arguments.program, entries)
     rows = [(features(arguments.program, e["config"]), e["measured"]) for e in entries]

@@ -9,6 +9,7 @@ import sys
 
 sys.dont_write_bytecode = True
 import area
+import tool_versions
 
 
 def main():
@@ -18,7 +19,9 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, help="default: standard output")
     arguments = parser.parse_args()
     arguments.work.mkdir(parents=True, exist_ok=True)
-    text = json.dumps(area.measure_flat(arguments.config, arguments.work)) + "\n"
+    figures = {**area.measure_flat(arguments.config, arguments.work),
+               "yosys": tool_versions.version("yosys")}
+    text = json.dumps(figures) + "\n"
     if arguments.out:
         arguments.out.write_text(text)
     else:
