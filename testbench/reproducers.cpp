@@ -75,7 +75,10 @@ std::vector<Corners> random_triangles(std::uint64_t seed, int count, double size
     Corners t;
     for (Vec& v : t) {
       // Two draws each: 40 bits of fraction, so that no vertex lies on a grid by accident.
-      const auto part = [&] { return (unit(random) + unit(random) * 1e-6) * size / 2; };
+      const auto part = [&] {
+        const double coarse = unit(random), fine = unit(random);
+        return (coarse + fine * 1e-6) * size / 2;
+      };
       v.x = centre.x + part();
       v.y = centre.y + part();
     }

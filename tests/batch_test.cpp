@@ -188,8 +188,8 @@ TEST_P(Batch, BothPathsMeetExactly) {
     const std::int64_t y = random.in(-extent / 2, c.frame.height * one);
     Triangle t;
     const auto corner = [&](std::int64_t low) {  // one end or the other, or a little off
-      const std::int64_t at =
-          low + (random.in(0, 1) != 0 ? extent : 0) + (random.in(0, 2) != 0 ? 0 : random.in(-2, 2));
+      const std::int64_t end = low + (random.in(0, 1) != 0 ? extent : 0);
+      const std::int64_t at = end + (random.in(0, 2) != 0 ? 0 : random.in(-2, 2));
       return static_cast<std::int32_t>(
           std::clamp(at, config.coordinate_min(), config.coordinate_max()));
     };

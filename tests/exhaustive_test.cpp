@@ -136,7 +136,10 @@ TEST(Exhaustive, LatticeAttainsEveryCaseOfSidesAndDirections) {
       const auto x = static_cast<double>(random.in(0, size));
       return oracle::Vec{x, static_cast<double>(random.in(0, size))};
     };
-    for (int n = 0; n < 1'000'000; ++n) see({draw(), draw(), draw()}, draw(), larger);
+    for (int n = 0; n < 1'000'000; ++n) {
+      const oracle::Vec sample = draw();
+      see({draw(), draw(), draw()}, sample, larger);
+    }
   }
   EXPECT_GT(larger.count(), 2000u);
   EXPECT_EQ((larger & ~cases).count(), 0u) << "seed " << kSeed;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -158,7 +159,8 @@ TEST(Clip, RandomTrianglesCoverWhatTheReferenceCovers) {
     Clips triangle;
     const double reach = i % 3 == 0 ? 1.5 : i % 3 == 1 ? 20.0 : 3000.0;
     for (ClipVertex& v : triangle) {
-      v = vertex(reach * any(random), reach * any(random), 2.0 * any(random), any(random) + 0.4);
+      const std::array<double, 4> part{any(random), any(random), any(random), any(random)};
+      v = vertex(reach * part[0], reach * part[1], 2.0 * part[2], part[3] + 0.4);
     }
     const Config& config = kPresets[static_cast<std::size_t>(i) % kPresets.size()].config;
     compared += compare_frame(triangle, frame, config);
@@ -174,7 +176,10 @@ TEST(Clip, PiecesOfACutTriangleFaceTheSameWay) {
   int folded_coarse = 0, folded_tiny = 0;
   for (int i = 0; i < 20000; ++i) {
     Clips triangle;
-    for (ClipVertex& v : triangle) v = vertex(3 * any(random), 3 * any(random), any(random), 1.0);
+    for (ClipVertex& v : triangle) {
+      const std::array<double, 3> part{any(random), any(random), any(random)};
+      v = vertex(3 * part[0], 3 * part[1], part[2], 1.0);
+    }
     folded_coarse += folds(run(triangle, {.width = 16, .height = 16}, kCoarse)) ? 1 : 0;
     folded_tiny += folds(run(triangle, {.width = 16, .height = 16}, kTiny)) ? 1 : 0;
   }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 #include <random>
 #include <tuple>
@@ -84,7 +85,8 @@ TEST(Clip, BothTrianglesAtAnEdgeCutItAtTheSameBits) {
   int cut_edges = 0;
   for (int i = 0; i < 20000; ++i) {
     const auto draw = [&] {
-      return vertex(40 * any(random), 40 * any(random), 2 * any(random), any(random) + 0.3);
+      const std::array<double, 4> part{any(random), any(random), any(random), any(random)};
+      return vertex(40 * part[0], 40 * part[1], 2 * part[2], part[3] + 0.3);
     };
     const ClipVertex a = draw(), b = draw(), c = draw(), d = draw();
     const ClipVolume volume =

@@ -57,8 +57,9 @@ std::vector<std::pair<int, int>> sample_points(Random& random, int width, int he
     for (const int y : {0, height - 1}) points.emplace_back(x, y);
   }
   while (points.size() < 4 + kSamplesEach) {
-    points.emplace_back(static_cast<int>(random.in(0, width - 1)),
-                        static_cast<int>(random.in(0, height - 1)));
+    const auto y = static_cast<int>(random.in(0, height - 1));
+    const auto x = static_cast<int>(random.in(0, width - 1));
+    points.emplace_back(x, y);
   }
   return points;
 }

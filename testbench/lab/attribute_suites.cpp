@@ -27,7 +27,8 @@ SuiteCase shaded_case(std::string name, std::uint64_t seed, int cell, int cells,
         return Position{on_grid((x + part_x + jitter) * cell * stretch),
                         on_grid((y + part_y - jitter) * cell)};
       };
-      Facet f = facet_of(at(0.05, 0.2), at(0.8, 0.3), at(0.3, 0.95));
+      const Position bottom = at(0.3, 0.95), right = at(0.8, 0.3), left = at(0.05, 0.2);
+      Facet f = facet_of(left, right, bottom);
       for (std::size_t i = 0; i < 3; ++i) {
         f[i].color = random_color(random);
         const double part = static_cast<double>(random.in(0, 1000)) / 1000;
