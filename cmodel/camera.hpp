@@ -8,14 +8,10 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace halfspace {
-
-// An axis-parallel box in world units.
-struct Bounds {
-  glm::dvec3 min{0.0};
-  glm::dvec3 max{0.0};
-};
 
 // Where the picture is taken from, in world units. near and far are distances from the eye along
 // the view direction: 0 < near < far, or just near < far when orthographic.
@@ -30,7 +26,7 @@ struct Camera {
   double far = 10.0;
 };
 
-// What a user fixes; frame_camera() finds the rest.
+// What a user fixes; orbit_cameras() finds the rest.
 struct CameraOptions {
   std::optional<glm::dvec3> eye;
   std::optional<glm::dvec3> target;
@@ -39,10 +35,6 @@ struct CameraOptions {
   bool orthographic = false;
   std::optional<double> ortho_height;
 };
-
-// The camera moved around its target, about the axis `up`, by `turn` of a full circle, counter-
-// clockwise as seen from above.
-Camera orbited(const Camera& camera, double turn);
 
 // World to camera space. The camera must not be at its target; an `up` along the view direction is
 // replaced by the axis that is furthest from it.
@@ -56,10 +48,25 @@ glm::dmat4 orthographic(double height, double aspect, double near, double far);
 // World to clip space: the camera's projection times its look_at().
 glm::dmat4 world_to_clip(const Camera& camera, double aspect);
 
-// A camera that shows all of `bounds`: a three-quarter view from slightly above, at the distance
-// at which the box's bounding sphere just fits. near and far enclose the sphere wherever the
-// options put the eye; near is at least far / 1000 so that depth keeps its precision when the eye
-// is inside. An eye on its target looks along -z. Empty or flat bounds count as a tiny sphere.
-Camera frame_camera(const Bounds& bounds, double aspect, const CameraOptions& options = {});
+// Cameras that show all of `points`, a mesh's vertices (finite; none count as one at the origin),
+// as large as the frame allows: at the tighter pair of opposite sides they leave 2.5 % of the frame
+// on either side. What `options` fix is left alone; of the rest
+// - the first view is from the front, right and above, and the others (`views` >= 1 in all) are
+//   turned around the target, about `up`, counter-clockwise as seen from above, in equal steps;
+// - with one view and no target, eye and target move across the view until `points` are as far from
+//   the left as from the right side of the view volume, from the bottom as from the top;
+// - with a target, or more views, which turn around the middle of the points' box, the distance
+//   alone is fitted, or ortho_height: the least at which every view shows all, the same for all
+//   (a turntable does not zoom). With an eye only ortho_height is;
+// - an eye that is found stays before all points, by 2 % of their depth or more;
+// - near and far of each view enclose `points`; near is at least far / 1000, so that depth keeps
+//   its precision when the eye is among them.
+// An eye on its target looks along -z. Points in one place count as a tiny ball.
+std::vector<Camera> orbit_cameras(std::span<const glm::vec3> points, double aspect,
+                                  const CameraOptions& options, int views);
+
+// The camera of one view.
+Camera frame_camera(std::span<const glm::vec3> points, double aspect,
+                    const CameraOptions& options = {});
 
 }  // namespace halfspace

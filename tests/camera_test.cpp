@@ -11,6 +11,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <string>
+#include <vector>
+
+#include "io/mesh.hpp"
+#include "outline.hpp"
 
 namespace halfspace {
 namespace {
@@ -107,51 +112,132 @@ TEST(Camera, NearAndFarAreTheEndsOfNdc) {
   }
 }
 
-// Every point of the bounding sphere, sampled, lands inside the clip volume.
-void expect_sphere_in_frame(const Bounds& bounds, double aspect, const CameraOptions& options) {
-  const glm::dmat4 matrix = world_to_clip(frame_camera(bounds, aspect, options), aspect);
-  const glm::dvec3 centre = (bounds.min + bounds.max) / 2.0;
-  const double radius = glm::length(bounds.max - bounds.min) / 2.0;
-  double widest = 0.0;
-  for (int i = 0; i < 64; ++i) {
-    for (int j = 0; j <= 32; ++j) {
-      const double a = i * 6.283185307 / 64, b = j * 3.141592654 / 32;
-      const glm::dvec3 normal{std::cos(a) * std::sin(b), std::cos(b), std::sin(a) * std::sin(b)};
-      const glm::dvec4 p = matrix * glm::dvec4(centre + radius * normal, 1.0);
-      EXPECT_GT(p.w, 0.0);
-      for (int axis = 0; axis < 3; ++axis) EXPECT_LE(std::abs(p[axis]), p.w * (1 + 1e-9));
-      widest = std::max({widest, std::abs(p.x / p.w), std::abs(p.y / p.w)});
+std::vector<CameraOptions> projections() {
+  CameraOptions standard, wide, narrow, orthographic;
+  wide.fov_y_degrees = 100.0;
+  narrow.fov_y_degrees = 5.0;
+  narrow.up = glm::dvec3{1.0, 1.0, -0.3};
+  orthographic.orthographic = true;
+  return {standard, wide, narrow, orthographic};
+}
+
+constexpr double kAspects[] = {0.25, 1.0, 4.0 / 3.0, 16.0 / 9.0, 4.0};
+
+// One pair of opposite sides is touched but for the margin, and no side is crossed.
+TEST(FrameCamera, FillsTheFrame) {
+  std::uint64_t random = 42;
+  for (int i = 0; i < 300; ++i) {
+    const Points points = random_points(random);
+    for (const double aspect : kAspects) {
+      for (const CameraOptions& options : projections()) {
+        const Outline seen = expect_in_frame(points, frame_camera(points, aspect, options), aspect);
+        EXPECT_LT(seen.widest(), 0.95 + 1e-4);
+        if (!seen.is_close()) {
+          EXPECT_GT(seen.pair(), 0.95 - 1e-4) << i << ' ' << aspect;
+        }
+        if (!options.orthographic) continue;  // there the other pair is centred in the picture too
+        EXPECT_NEAR(-seen.low.x, seen.high.x, 1e-4);
+        EXPECT_NEAR(-seen.low.y, seen.high.y, 1e-4);
+      }
     }
   }
-  EXPECT_GT(widest, 0.9) << "the sphere should nearly fill the frame";
 }
 
-TEST(FrameCamera, ShowsTheWholeSphereAtEveryAspect) {
-  const Bounds bounds{{-3.0, 0.0, -2.0}, {3.4, 3.15, 2.0}};
-  for (const double aspect : {0.25, 1.0, 16.0 / 9.0, 4.0}) {
-    CameraOptions options;
-    expect_sphere_in_frame(bounds, aspect, options);
-    options.fov_y_degrees = 100.0;
-    expect_sphere_in_frame(bounds, aspect, options);
-    options.orthographic = true;
-    expect_sphere_in_frame(bounds, aspect, options);
+TEST(FrameCamera, TheScenesFillTheFrame) {
+  for (const char* name : {"teapot.obj", "bunny.obj"}) {
+    const Mesh mesh = load_mesh(std::string(HALFSPACE_TEST_DIR) + "/scenes/" + name);
+    const double aspect = 640.0 / 480.0;
+    const Outline seen =
+        expect_in_frame(mesh.positions, frame_camera(mesh.positions, aspect), aspect);
+    EXPECT_NEAR(seen.pair(), 0.95, 1e-4) << name;
+    EXPECT_GT(seen.high.x - seen.low.x, 2 * 0.5) << name;
+    EXPECT_GT(seen.high.y - seen.low.y, 2 * 0.5) << name;
   }
 }
 
-TEST(FrameCamera, LooksFromSlightlyAbove) {
-  const Camera camera = frame_camera({{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}}, 1.0);
-  const glm::dvec3 from = glm::normalize(camera.eye - camera.target);
-  EXPECT_GT(from.y, 0.2);
-  EXPECT_LT(from.y, 0.6);
+// A turntable: all is in every view, from one distance, and some view needs it.
+TEST(OrbitCameras, ShowAllFromOneDistance) {
+  std::uint64_t random = 44;
+  for (int i = 0; i < 60; ++i) {
+    const Points points = random_points(random);
+    for (const double aspect : kAspects) {
+      for (CameraOptions options : projections()) {
+        if (i % 3 == 0) options.target = glm::dvec3(random_points(random).front());
+        const std::vector<Camera> views = orbit_cameras(points, aspect, options, 7);
+        ASSERT_EQ(views.size(), 7u);
+        double widest = 0.0;
+        bool is_close = false;
+        for (const Camera& view : views) {
+          const Outline seen = expect_in_frame(points, view, aspect);
+          widest = std::max(widest, seen.widest());
+          is_close |= seen.is_close();
+          const double distance = glm::length(view.eye - view.target);
+          EXPECT_NEAR(distance, glm::length(views[0].eye - views[0].target), 1e-9 * distance);
+          EXPECT_EQ(view.ortho_height, views[0].ortho_height);
+          EXPECT_EQ(view.target, views[0].target);
+        }
+        EXPECT_LT(widest, 0.95 + 1e-4);
+        if (!is_close) {
+          EXPECT_GT(widest, 0.95 - 1e-4);
+        }
+      }
+    }
+  }
+}
+
+TEST(OrbitCameras, TurnCounterClockwiseInEqualSteps) {
+  const Points cube{{-1, -1, -1}, {1, 1, 1}};
+  const std::vector<Camera> views = orbit_cameras(cube, 1.0, {}, 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const glm::dvec3 here = views[i].eye - views[i].target;
+    const glm::dvec3 next = views[(i + 1) % 4].eye - views[i].target;
+    EXPECT_NEAR(next.x, here.z, 1e-12);
+    EXPECT_NEAR(next.y, here.y, 1e-12);
+    EXPECT_NEAR(next.z, -here.x, 1e-12);
+  }
+}
+
+TEST(FrameCamera, ObeysWhatIsGiven) {
+  std::uint64_t random = 45;
+  for (CameraOptions options : projections()) {
+    const Points points = random_points(random);
+    options.target = glm::dvec3{500.0, 450.0, 900.0};  // between the viewer and the points
+    expect_in_frame(points, frame_camera(points, 1.5, options), 1.5);
+    options.target = glm::dvec3{1.0, 2.0, 3.0};
+    Camera camera = frame_camera(points, 1.5, options);
+    EXPECT_EQ(camera.target, *options.target);
+    EXPECT_EQ(camera.up, options.up.value_or(glm::dvec3{0.0, 1.0, 0.0}));
+    EXPECT_EQ(camera.fov_y_degrees, options.fov_y_degrees.value_or(40.0));
+    expect_in_frame(points, camera, 1.5);
+    const glm::dvec3 direction = glm::normalize(camera.eye - camera.target);
+    EXPECT_LT(glm::length(direction - glm::normalize(glm::dvec3{0.5, 0.45, 0.9})), 1e-9);
+    options.eye = glm::dvec3{-7.0, 60.0, 5.0};
+    camera = orbit_cameras(points, 1.5, options, 3).front();
+    EXPECT_EQ(camera.eye, *options.eye);
+    EXPECT_EQ(camera.target, *options.target);
+    options.target.reset();
+    EXPECT_EQ(frame_camera(points, 1.5, options).eye, *options.eye);
+    if (!options.orthographic) continue;
+    EXPECT_NEAR(expect_in_frame(points, frame_camera(points, 1.5, options), 1.5).widest(), 0.95,
+                1e-4);
+    options.ortho_height = 3.5;
+    EXPECT_EQ(frame_camera(points, 1.5, options).ortho_height, 3.5);
+  }
 }
 
 TEST(FrameCamera, EyeInsideTheSceneKeepsAPositiveNear) {
   CameraOptions options;
   options.eye = glm::dvec3{0.1, 0.2, 0.3};
-  const Camera camera = frame_camera({{-9.0, -9.0, -9.0}, {9.0, 9.0, 9.0}}, 1.0, options);
+  const Camera camera = frame_camera(Points{{-9, -9, -9}, {9, 9, 9}}, 1.0, options);
   EXPECT_GT(camera.near, 0.0);
-  EXPECT_GT(camera.far, 15.0);
+  EXPECT_GT(camera.far, 8.0);
   EXPECT_LE(camera.far / camera.near, 1000.0 + 1e-9);
+}
+
+// The tip of a needle would otherwise be as near to the eye as the needle is thin, and be cut off.
+TEST(FrameCamera, StaysBeforeANeedleAlongTheView) {
+  const Points needle{{0, 0, 0}, {50, 45, 90}};
+  expect_in_frame(needle, frame_camera(needle, 1.0), 1.0);
 }
 
 TEST(FrameCamera, DegenerateRequestsGiveAFiniteMatrix) {
@@ -160,11 +246,26 @@ TEST(FrameCamera, DegenerateRequestsGiveAFiniteMatrix) {
   CameraOptions behind;
   behind.eye = glm::dvec3{0.0, 0.0, 50.0};
   behind.target = glm::dvec3{0.0, 0.0, 99.0};
-  for (const CameraOptions& options : {CameraOptions{}, on_target, behind}) {
-    const Camera camera = frame_camera({{1e3, 2.0, 3.0}, {1e3, 2.0, 3.0}}, 1.0, options);
-    EXPECT_LT(camera.near, camera.far);
-    const glm::dmat4 matrix = world_to_clip(camera, 1.0);
-    for (int i = 0; i < 16; ++i) EXPECT_TRUE(std::isfinite(matrix[i / 4][i % 4])) << i;
+  CameraOptions beside;  // of what is looked at, so that the points are behind it
+  beside.target = glm::dvec3{5e5, 5e5, 9e5};
+  CameraOptions along;
+  along.up = glm::dvec3{-0.5, -0.45, -0.9};
+  CameraOptions away;
+  away.target = glm::dvec3{1e90, -1e90, 3.0};
+  const Points flat{{1e3F, 2, 3}, {1e3F, 2, 4}, {1e3F, 3, 4}};
+  const Points distant{{3e38F, -3e38F, 0}, {-3e38F, 3e38F, 1}};
+  for (const Points& points : {Points{}, Points{{0, 0, 0}}, Points{{1e3F, 2, 3}}, flat, distant}) {
+    for (CameraOptions options : {CameraOptions{}, on_target, behind, beside, along, away}) {
+      for (const bool is_orthographic : {false, true}) {
+        options.orthographic = is_orthographic;
+        for (const Camera& camera : orbit_cameras(points, 1.0, options, 2)) {
+          EXPECT_LT(camera.near, camera.far);
+          EXPECT_TRUE(is_orthographic || camera.near > 0.0);
+          const glm::dmat4 matrix = world_to_clip(camera, 1.0);
+          for (int i = 0; i < 16; ++i) EXPECT_TRUE(std::isfinite(matrix[i / 4][i % 4])) << i;
+        }
+      }
+    }
   }
 }
 

@@ -44,7 +44,7 @@ inline ShadedMesh scene(const std::string& name, const FrameState& frame,
   out.triangles = mesh.triangles;
   for (const glm::vec3& normal : mesh.normals) out.colors.push_back(127.5f * (normal + 1.0f));
   const double aspect = static_cast<double>(frame.width) / frame.height;
-  out.matrix = world_to_clip(frame_camera(mesh.bounds, aspect, camera), aspect);
+  out.matrix = world_to_clip(frame_camera(mesh.positions, aspect, camera), aspect);
   return out;
 }
 

@@ -118,7 +118,7 @@ TEST_P(Cosim, DriverCasesThatFit) {
 TEST_P(Cosim, TheTeapot) {
   const Mesh mesh = load_mesh(std::string(HALFSPACE_TEST_DIR) + "/scenes/teapot.obj");
   const FrameState frame = whole_frame();
-  const glm::dmat4 matrix = world_to_clip(frame_camera(mesh.bounds, 1.0), 1.0);
+  const glm::dmat4 matrix = world_to_clip(frame_camera(mesh.positions, 1.0), 1.0);
   GeometryStage stage(frame, config());
   std::vector<ShadedTriangle> shaded;
   std::uint32_t tag = 0;

@@ -37,17 +37,9 @@ class MeshScene : public Scene {
         frame_{width, height, Cull::kNone},
         lighting_(lighting) {
     const double aspect = static_cast<double>(width) / static_cast<double>(height);
-    const Camera first = frame_camera(mesh_.bounds, aspect, camera);
-    if (simplify_px > 0) {
-      simplify(mesh_, simplify_px * pixel_size(first, mesh_.bounds, height));
-    }
-    shader_.emplace_back(mesh_, aspect, camera);
-    for (int i = 1; i < views; ++i) {  // near and far are found anew for each
-      CameraOptions around = camera;
-      around.eye = orbited(first, static_cast<double>(i) / views).eye;
-      around.target = first.target;
-      shader_.emplace_back(mesh_, aspect, around);
-    }
+    const std::vector<Camera> cameras = orbit_cameras(mesh_.positions, aspect, camera, views);
+    for (const Camera& view : cameras) shader_.emplace_back(mesh_, view, aspect);
+    if (simplify_px > 0) simplify(mesh_, simplify_px * pixel_size(cameras.front(), height));
   }
 
   std::size_t frames() const override { return shader_.size(); }

@@ -17,9 +17,9 @@ glm::dvec3 over_the_shoulder(const Camera& camera) {
 
 }  // namespace
 
-VertexShader::VertexShader(const Mesh& mesh, double aspect, const CameraOptions& options)
+VertexShader::VertexShader(const Mesh& mesh, const Camera& camera, double aspect)
     : mesh_(mesh),
-      camera_(frame_camera(mesh.bounds, aspect, options)),
+      camera_(camera),
       world_to_clip_(world_to_clip(camera_, aspect)),
       light_(over_the_shoulder(camera_)) {}
 

@@ -20,7 +20,7 @@ enum class Lighting { kFlat, kGouraud };
 class VertexShader {
  public:
   // aspect: width / height of the frame.
-  VertexShader(const Mesh& mesh, double aspect, const CameraOptions& camera);
+  VertexShader(const Mesh& mesh, const Camera& camera, double aspect);
 
   // Clip space is matrix() * (position, 1).
   const glm::dmat4& matrix() const { return world_to_clip_; }

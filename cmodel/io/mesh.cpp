@@ -189,14 +189,9 @@ Mesh convert(const std::string& path, const aiScene& scene) {
     append_part(path, scene, *scene.mMeshes[m], mesh);
   }
   if (mesh.triangles.empty()) throw Error(ErrorCode::kMeshEmpty, path, "has no triangles");
-  mesh.bounds.min = mesh.bounds.max = glm::dvec3(mesh.positions.front());
-  for (const glm::vec3& position : mesh.positions) {
-    // Finite before its node's transform does not mean finite after it.
-    if (!is_finite(position)) {
-      throw Error(ErrorCode::kMeshNotFinite, path, "a transformed vertex is not finite");
-    }
-    mesh.bounds.min = glm::min(mesh.bounds.min, glm::dvec3(position));
-    mesh.bounds.max = glm::max(mesh.bounds.max, glm::dvec3(position));
+  // Finite before its node's transform does not mean finite after it.
+  if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), is_finite)) {
+    throw Error(ErrorCode::kMeshNotFinite, path, "a transformed vertex is not finite");
   }
   return mesh;
 }

@@ -9,8 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "../camera.hpp"
-
 namespace halfspace {
 
 // Triangles over shared vertices; positions, normals and colors have one entry per vertex.
@@ -19,7 +17,6 @@ struct Mesh {
   std::vector<glm::vec3> normals;    // unit length; zero where only degenerate triangles meet
   std::vector<glm::vec3> colors;     // red, green, blue, 0..1; white when the file has none
   std::vector<std::array<std::uint32_t, 3>> triangles;  // at least one; indices in range
-  Bounds bounds;                                        // of all positions
 };
 
 // Reads a mesh file; the extension, in either case, decides the format.

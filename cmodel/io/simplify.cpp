@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simplify.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #ifdef HALFSPACE_MESHOPTIMIZER
 #include <meshoptimizer.h>
@@ -13,11 +11,9 @@
 
 namespace halfspace {
 
-double pixel_size(const Camera& camera, const Bounds& bounds, int frame_height) {
+double pixel_size(const Camera& camera, int frame_height) {
   if (camera.orthographic) return camera.ortho_height / frame_height;
-  const glm::dvec3 nearest = glm::clamp(camera.eye, bounds.min, bounds.max);
-  const double distance = std::max(glm::length(nearest - camera.eye), camera.near);
-  return 2.0 * distance * std::tan(glm::radians(camera.fov_y_degrees) / 2.0) / frame_height;
+  return 2.0 * camera.near * std::tan(glm::radians(camera.fov_y_degrees) / 2.0) / frame_height;
 }
 
 #ifdef HALFSPACE_MESHOPTIMIZER

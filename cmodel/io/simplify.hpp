@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "../camera.hpp"
 #include "mesh.hpp"
 
 namespace halfspace {
@@ -11,7 +12,7 @@ namespace halfspace {
 // least one triangle. Throws Error(kFitTool) in a build without meshoptimizer.
 void simplify(Mesh& mesh, double world);
 
-// World units that a pixel spans at the point of `bounds` nearest to the camera.
-double pixel_size(const Camera& camera, const Bounds& bounds, int frame_height);
+// World units that a pixel spans at the camera's near plane.
+double pixel_size(const Camera& camera, int frame_height);
 
 }  // namespace halfspace

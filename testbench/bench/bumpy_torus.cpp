@@ -102,11 +102,6 @@ Mesh bumpy_torus(double triangles) {
       for (const auto& triangle : grid.quad(i, j)) mesh.triangles.push_back(triangle);
     }
   }
-  mesh.bounds.min = mesh.bounds.max = glm::dvec3(mesh.positions.front());
-  for (const glm::vec3& position : mesh.positions) {
-    mesh.bounds.min = glm::min(mesh.bounds.min, glm::dvec3(position));
-    mesh.bounds.max = glm::max(mesh.bounds.max, glm::dvec3(position));
-  }
   return mesh;
 }
 

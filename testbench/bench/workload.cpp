@@ -148,7 +148,8 @@ Workload make_scene_workload(std::string_view name, int width, int height,
                              const std::string& folder, double scale) {
   Workload work{std::string(name), {width, height, Cull::kNone}, {}, FrameMesh{}};
   Mesh mesh = scene_mesh(name, folder, scale);
-  const VertexShader shader(mesh, static_cast<double>(width) / height, {});
+  const double aspect = static_cast<double>(width) / height;
+  const VertexShader shader(mesh, frame_camera(mesh.positions, aspect), aspect);
   FrameMesh& out = *work.mesh;
   out.matrix = shader.matrix();
   for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {

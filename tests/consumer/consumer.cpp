@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
   const FrameState frame{std::atoi(argv[2]), std::atoi(argv[3]), Cull::kNone};
   const double aspect = static_cast<double>(frame.width) / static_cast<double>(frame.height);
   const Mesh mesh = load_mesh(argv[1]);
-  const glm::dmat4 matrix = world_to_clip(frame_camera(mesh.bounds, aspect), aspect);
+  const glm::dmat4 matrix = world_to_clip(frame_camera(mesh.positions, aspect), aspect);
   GeometryStage geometry(frame, config);
   std::vector<ShadedTriangle> ready;
   for (const auto& index : mesh.triangles) {
