@@ -156,6 +156,31 @@ TEST(Mesh, AMissingFileOrADirectoryCannotBeRead) {
   EXPECT_EQ(error_of(kScenes), static_cast<int>(ErrorCode::kFileRead));
 }
 
+// They would be what the camera frames. Neither format's reader may keep them.
+TEST_F(MeshFile, UnusedVerticesAreLeftOut) {
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+      "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "900 0 0 1 1 1\n0 0 0 255 0 0\n0 900 0 1 1 1\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 4 1 3\n";
+  const std::string obj = "v 900 0 0\nv 0 0 0\nv 0 900 0\nv 1 0 0\nv 0 1 0\nf 5 2 4\n";
+  for (const std::string& path : {write("unused.ply", ply), write("unused.obj", obj)}) {
+    SCOPED_TRACE(path);
+    const Mesh mesh = load_mesh(path);
+    ASSERT_EQ(mesh.triangles.size(), 1U);
+    EXPECT_EQ(mesh.positions.size(), 3U);
+    expect_valid(mesh);
+    const auto& t = mesh.triangles[0];
+    EXPECT_EQ(mesh.positions[t[0]], glm::vec3(0, 1, 0));
+    EXPECT_EQ(mesh.positions[t[1]], glm::vec3(0, 0, 0));
+    EXPECT_EQ(mesh.positions[t[2]], glm::vec3(1, 0, 0));
+    const bool has_colors = path.ends_with(".ply");
+    EXPECT_EQ(mesh.colors[t[0]], has_colors ? glm::vec3(0, 0, 1) : glm::vec3(1));
+    EXPECT_EQ(mesh.colors[t[1]], has_colors ? glm::vec3(1, 0, 0) : glm::vec3(1));
+    EXPECT_EQ(mesh.colors[t[2]], has_colors ? glm::vec3(0, 1, 0) : glm::vec3(1));
+  }
+}
+
 TEST_F(MeshFile, ErrorsNameTheLine) {
   std::string what;
   const std::string path = write("line.obj", "# one\nv 0 0 \\\n 0\r\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");

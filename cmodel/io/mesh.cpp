@@ -174,6 +174,31 @@ void append_part(const std::string& path, const aiScene& scene, const aiMesh& pa
   }
 }
 
+// Formats that share vertices by index may have some that no triangle names. The others keep their
+// order.
+void drop_unused_vertices(Mesh& mesh) {
+  std::vector<bool> used(mesh.positions.size());
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t index : triangle) used[index] = true;
+  }
+  if (std::find(used.begin(), used.end(), false) == used.end()) return;
+  std::vector<std::uint32_t> place(used.size());
+  std::uint32_t kept = 0;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (!used[i]) continue;
+    mesh.positions[kept] = mesh.positions[i];
+    mesh.normals[kept] = mesh.normals[i];
+    mesh.colors[kept] = mesh.colors[i];
+    place[i] = kept++;
+  }
+  mesh.positions.resize(kept);
+  mesh.normals.resize(kept);
+  mesh.colors.resize(kept);
+  for (auto& triangle : mesh.triangles) {
+    for (std::uint32_t& index : triangle) index = place[index];
+  }
+}
+
 Mesh convert(const std::string& path, const aiScene& scene) {
   Mesh mesh;
   std::size_t vertices = 0, faces = 0;
@@ -193,6 +218,7 @@ Mesh convert(const std::string& path, const aiScene& scene) {
   if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), is_finite)) {
     throw Error(ErrorCode::kMeshNotFinite, path, "a transformed vertex is not finite");
   }
+  drop_unused_vertices(mesh);
   return mesh;
 }
 

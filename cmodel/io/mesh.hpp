@@ -11,7 +11,8 @@
 
 namespace halfspace {
 
-// Triangles over shared vertices; positions, normals and colors have one entry per vertex.
+// Triangles over shared vertices, each used by one or more; positions, normals and colors have one
+// entry per vertex.
 struct Mesh {
   std::vector<glm::vec3> positions;  // world units, finite
   std::vector<glm::vec3> normals;    // unit length; zero where only degenerate triangles meet
@@ -21,10 +22,10 @@ struct Mesh {
 
 // Reads a mesh file; the extension, in either case, decides the format.
 //
-// Polygons are triangulated, points and lines left out, node transforms applied. Missing normals
-// are made, smooth up to a crease of 66 degrees; an STL's are always made. Colours are the
-// vertices', else the material's diffuse or base colour. Triangles keep the file's order within a
-// material.
+// Polygons are triangulated, points, lines and unused vertices left out, node transforms applied.
+// Missing normals are made, smooth up to a crease of 66 degrees; an STL's are always made. Colours
+// are the vertices', else the material's diffuse or base colour. Triangles keep the file's order
+// within a material.
 //
 // Throws nothing but Error, with the place `path` or `path:line`: kFileRead (missing, unreadable),
 // kMeshBroken (not a format read here, syntax, truncation), kMeshEmpty (no triangles),
