@@ -16,6 +16,7 @@
 #include <set>
 
 #include "io/error.hpp"
+#include "outline.hpp"
 
 namespace halfspace {
 namespace {
@@ -100,6 +101,19 @@ TEST(Mesh, EverySceneHasItsTriangles) {
     EXPECT_EQ(mesh.triangles.size(), scene.triangles);
     expect_valid(mesh);
     EXPECT_TRUE(!scene.is_closed || volume(mesh) > 0.0);
+  }
+}
+
+// Half the frame's width would be too little already; camera_test.cpp has random points.
+TEST(Mesh, FillsTheFrameByItself) {
+  for (const char* name : {"teapot.obj", "bunny.obj"}) {
+    const Mesh mesh = load_mesh(kScenes + name);
+    const double aspect = 640.0 / 480.0;
+    const Outline seen =
+        expect_in_frame(mesh.positions, frame_camera(mesh.positions, aspect), aspect);
+    EXPECT_NEAR(seen.pair(), 0.95, 1e-4) << name;
+    EXPECT_GT(seen.high.x - seen.low.x, 2 * 0.5) << name;
+    EXPECT_GT(seen.high.y - seen.low.y, 2 * 0.5) << name;
   }
 }
 
