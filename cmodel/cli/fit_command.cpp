@@ -17,9 +17,9 @@
 #include "../io/error.hpp"
 #include "../io/escape.hpp"
 #include "../io/output_file.hpp"
+#include "../io/source_tree.hpp"
 #include "command.hpp"
 #include "number_checks.hpp"
-#include "../io/source_tree.hpp"
 
 namespace halfspace {
 namespace {
