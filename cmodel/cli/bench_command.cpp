@@ -2,7 +2,6 @@
 //
 // halfspace bench: the engines side by side, as a table and as JSON.
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -62,8 +61,8 @@ int run(const BenchRequest& request) {
 
 }  // namespace
 
-Action add_bench_command(CLI::App& program) {
-  CLI::App* command =
+Action add_bench_command(Command& program) {
+  Command* command =
       program.add_subcommand("bench", "Time the engines on the same triangles, side by side");
   auto request = std::make_shared<BenchRequest>();
   BenchOptions& o = request->options;
@@ -85,9 +84,9 @@ Action add_bench_command(CLI::App& program) {
   command->add_option("--scenes", o.scenes, "Folder of teapot.obj and bunny.obj")
       ->take_last()
       ->capture_default_str();
-  CLI::Option* mesh_out = command->add_option(
-      "--mesh-out", request->mesh_out, "Write workload million's mesh as a PLY file and stop");
-  stands_alone(*command, mesh_out, {"--scale", "--scenes"});
+  Option* mesh_out = command->add_option("--mesh-out", request->mesh_out,
+                                         "Write workload million's mesh as a PLY file and stop");
+  command->stands_alone(mesh_out, {"--scale", "--scenes"});
   command->footer(
       "Times are in ns per triangle: CPU time of the thread, or wall time for several threads.\n"
       "Example: halfspace bench --workload small medium --engine scalar coverage --out bench.json");

@@ -2,7 +2,6 @@
 #include "camera_options.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <cctype>
 #include <glm/common.hpp>
@@ -37,7 +36,7 @@ glm::dvec3 parse_vector(const std::string& text, const char* option) {
 
 }  // namespace
 
-void CameraArguments::add_to(CLI::App& command, const std::string& look_at) {
+void CameraArguments::add_to(Command& command, const std::string& look_at) {
   command.add_option("--eye", eye, "Camera position, world units")->type_name("X,Y,Z");
   command.add_option(look_at, target, "Point looked at, world units")->type_name("X,Y,Z");
   command.add_option("--up", up, "Direction that is up in the picture")->type_name("X,Y,Z");

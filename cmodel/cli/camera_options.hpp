@@ -4,6 +4,7 @@
 #include <string>
 
 #include "../camera.hpp"
+#include "options.hpp"
 
 namespace CLI {
 class App;
@@ -18,7 +19,7 @@ struct CameraArguments {
   double ortho = -1;            // picture height in world units, 0 to fit; -1: perspective
 
   // look_at: what --target is called.
-  void add_to(CLI::App& command, const std::string& look_at = "--target");
+  void add_to(Command& command, const std::string& look_at = "--target");
   // Throws Error(kUsage) naming the option.
   CameraOptions options() const;
   // The same as options of a command line, each with a space before it.

@@ -3,7 +3,6 @@
 // halfspace chart: one chart's data, measured, as JSON or drawn.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -65,15 +64,15 @@ int run_chart(const ChartOptions& options) {
 
 }  // namespace
 
-Action add_chart_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("chart", "Measure one chart's data, draw it");
+Action add_chart_command(Command& program) {
+  Command* command = program.add_subcommand("chart", "Measure one chart's data, draw it");
   auto o = std::make_shared<ChartOptions>();
   command->add_option("NAME", o->name, "Which chart: see --list");
-  CLI::Option* list = command->add_flag("--list", o->list, "Name every chart and stop");
+  Option* list = command->add_flag("--list", o->list, "Name every chart and stop");
   command->add_option("--out", o->out,
                       "File to write: .json for the data; .svg or .png need python3-matplotlib");
   o->scene.add_to(*command, "--scene");
-  stands_alone(*command, list);
+  command->stands_alone(list);
   for (const char* other : {"--size", "--eye", "--target", "--up", "--fov", "--ortho", "--case"}) {
     command->get_option(other)->needs(command->get_option("--scene"));
   }

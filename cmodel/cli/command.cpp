@@ -2,8 +2,6 @@
 #include "command.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
-#include <algorithm>
 
 #include "../io/config_json.hpp"
 #include "../io/error.hpp"
@@ -21,21 +19,11 @@ Level parse_level(const std::string& name) {
               fmt::format("'{}' is not coverage, bit, cycle, rtl or auto", name));
 }
 
-void stands_alone(CLI::App& command, CLI::Option* option, const std::vector<std::string>& with) {
-  const CLI::Option* help = command.get_help_ptr();
-  for (CLI::Option* other : command.get_options()) {
-    const bool allowed = std::any_of(with.begin(), with.end(), [&](const std::string& name) {
-      return other == command.get_option(name);
-    });
-    if (other != option && other != help && !allowed) option->excludes(other);
-  }
-}
-
 void require_level(Level level, const Config& config) {
   if (level == Level::kRtl) require_rtl(config, "--level");
 }
 
-void ConfigOptions::add_to(CLI::App& command) {
+void ConfigOptions::add_to(Command& command) {
   command.add_option("--config", name, "Preset (tiny, full, d3d, msaa4) or a .json file")
       ->type_name("NAME|FILE")
       ->capture_default_str();
@@ -53,7 +41,7 @@ Config ConfigOptions::load() const {
   return config;
 }
 
-void add_cull_option(CLI::App& command, std::string& cull) {
+void add_cull_option(Command& command, std::string& cull) {
   command.add_option("--cull", cull, "Faces to drop; front is counter-clockwise as seen")
       ->type_name("none|back|front")
       ->capture_default_str();

@@ -2,7 +2,6 @@
 //
 // halfspace config: show a configuration and the widths derived from it.
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <memory>
@@ -52,17 +51,16 @@ nlohmann::ordered_json area_json(const Config& config) {
 
 }  // namespace
 
-Action add_config_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand(
+Action add_config_command(Command& program) {
+  Command* command = program.add_subcommand(
       "config", "Print a configuration as JSON, or with --derived the widths that follow from it");
   auto options = std::make_shared<ConfigOptions>();
   auto derived = std::make_shared<bool>(false);
   auto area = std::make_shared<bool>(false);
   auto package = std::make_shared<bool>(false);
   options->add_to(*command);
-  CLI::Option* widths =
-      command->add_flag("--derived", *derived, "Print derived widths (bits) instead");
-  CLI::Option* cells =
+  Option* widths = command->add_flag("--derived", *derived, "Print derived widths (bits) instead");
+  Option* cells =
       command
           ->add_flag("--area", *area,
                      "Print the estimated area instead (ECP5 cells; luts: LUT4 + 2 CCU2C)")

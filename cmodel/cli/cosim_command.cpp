@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // halfspace cosim: options. What it does is in cosim_run.cpp.
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "command.hpp"
@@ -9,8 +8,8 @@
 
 namespace halfspace {
 
-Action add_cosim_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand(
+Action add_cosim_command(Command& program) {
+  Command* command = program.add_subcommand(
       "cosim", "Run a scene through model and RTL; compare every packet's bits and clock");
   auto o = std::make_shared<CosimRequest>();
   command->add_option("IN", o->in, "Mesh (OBJ, glTF, GLB, PLY, STL) or TCOV file")->required();
@@ -28,7 +27,7 @@ Action add_cosim_command(CLI::App& program) {
   add_cull_option(*command, o->cull);
   o->camera.add_to(*command);
   command->add_option("--orbit", o->views, "Views: this many cameras around the target, in turn")
-      ->check(CLI::Range(1, 4096))
+      ->check(whole_between(1, 4096))
       ->capture_default_str();
   command->add_option("--case", o->case_id, "The case of a TCOV file to run (default: all)")
       ->check(whole());

@@ -2,7 +2,6 @@
 //
 // halfspace coverage: triangles of a TCOV file in, hit counts of every pixel out.
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <chrono>
 #include <memory>
@@ -94,8 +93,8 @@ int run_coverage(const CoverageOptions& options) {
 
 }  // namespace
 
-Action add_coverage_command(CLI::App& program) {
-  CLI::App* command =
+Action add_coverage_command(Command& program) {
+  Command* command =
       program.add_subcommand("coverage", "Compute the hit counts of a TCOV file's triangles");
   auto options = std::make_shared<CoverageOptions>();
   command->add_option("IN", options->in, "TCOV file (coordinates in 1/256 px)")->required();

@@ -3,7 +3,6 @@
 // halfspace explain: why a sample of a pixel is what it is, triangle by triangle.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -93,8 +92,8 @@ int run_explain(const ExplainOptions& options) {
 
 }  // namespace
 
-Action add_explain_command(CLI::App& program) {
-  CLI::App* command =
+Action add_explain_command(Command& program) {
+  Command* command =
       program.add_subcommand("explain", "Why a pixel is what it is, triangle by triangle");
   auto o = std::make_shared<ExplainOptions>();
   o->scene.add_to(*command);
@@ -106,7 +105,7 @@ Action add_explain_command(CLI::App& program) {
   command->add_option("--depth-test", o->depth_test, "less or less_equal")->capture_default_str();
   command->add_flag("--all", o->all, "Details of every triangle, not only of those near");
   command->add_flag("--json", o->json, "Everything, as JSON");
-  CLI::Option* method =
+  Option* method =
       command->add_option("--method", o->method,
                           "By a method of the gallery, beside the exact rule (halfspace methods)");
   for (const char* other : {"--sample", "--samples", "--cull", "--depth-test"}) {

@@ -2,7 +2,6 @@
 //
 // halfspace fit: the smallest configuration that is right for given scenes.
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <memory>
@@ -192,8 +191,8 @@ int run_fit(const FitArguments& a) {
 
 }  // namespace
 
-Action add_fit_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand(
+Action add_fit_command(Command& program) {
+  Command* command = program.add_subcommand(
       "fit", "Find the smallest configuration that is right for the scenes, and emit its RTL");
   auto a = std::make_shared<FitArguments>();
   command->add_option("SCENE", a->scenes, "Meshes or TCOV files, all to be right for")->required();
@@ -223,7 +222,7 @@ Action add_fit_command(CLI::App& program) {
   add_cull_option(*command, a->cull);
   a->camera.add_to(*command, "--look-at");
   command->add_option("--orbit", a->views, "Cameras around the target, all to be right for")
-      ->check(CLI::Range(1, 4096))
+      ->check(whole_between(1, 4096))
       ->capture_default_str();
   command->add_option("--case", a->case_id, "The case of a TCOV file (default: all)")
       ->check(whole());

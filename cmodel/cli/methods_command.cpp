@@ -2,7 +2,6 @@
 //
 // halfspace methods: the gallery, one line each or as JSON.
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -52,9 +51,8 @@ void print_json() {
 
 }  // namespace
 
-Action add_methods_command(CLI::App& program) {
-  CLI::App* command =
-      program.add_subcommand("methods", "List the gallery of rasterization methods");
+Action add_methods_command(Command& program) {
+  Command* command = program.add_subcommand("methods", "List the gallery of rasterization methods");
   auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "Print JSON, with sources and when to use each");
   command->footer(

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What CLI11 lets through and no option means: NaN and infinity where a number is asked for, a
-// minus sign that an unsigned option would wrap. Checked only when the user gives the option, so a
-// default may lie outside.
+// minus sign that an unsigned option would wrap.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <cstdint>
+
+#include "options.hpp"
 
 namespace halfspace {
 
 // A finite number, 0 or more.
-CLI::Validator not_negative();
+Check not_negative();
 // A finite number above 0.
-CLI::Validator above_zero();
+Check above_zero();
 // Digits alone, low at least, below 2^64.
-CLI::Validator whole(std::uint64_t low = 0);
+Check whole(std::uint64_t low = 0);
+// A whole number, both ends included.
+Check whole_between(int low, int high);
 
 }  // namespace halfspace

@@ -2,7 +2,6 @@
 //
 // halfspace render: a scene in, a picture and its statistics out.
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -218,8 +217,8 @@ int run_render(const RenderOptions& options) {
 
 }  // namespace
 
-Action add_render_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("render", "Draw a scene and write a PNG");
+Action add_render_command(Command& program) {
+  Command* command = program.add_subcommand("render", "Draw a scene and write a PNG");
   auto o = std::make_shared<RenderOptions>();
   o->scene.add_to(*command);
   command->add_option("--out", o->out, "PNG file to write")->required();
@@ -242,9 +241,9 @@ Action add_render_command(CLI::App& program) {
   command
       ->add_option("--threads", o->threads,
                    "Threads of level bit, 0: as many as the machine has; the picture is the same")
-      ->check(CLI::Range(0, 256))
+      ->check(whole_between(0, 256))
       ->capture_default_str();
-  CLI::Option* method = command->add_option(
+  Option* method = command->add_option(
       "--method", o->method, "Draw with a method of the gallery (halfspace methods lists them)");
   for (const char* other :
        {"--level", "--trace", "--depth-test", "--cull", "--samples", "--threads"}) {

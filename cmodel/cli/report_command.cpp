@@ -3,7 +3,6 @@
 // halfspace report: one page about a scene, without network.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -131,8 +130,8 @@ int run_report(const ReportOptions& options) {
 
 }  // namespace
 
-Action add_report_command(CLI::App& program) {
-  CLI::App* command =
+Action add_report_command(Command& program) {
+  Command* command =
       program.add_subcommand("report", "A page about a scene: what accuracy costs, what suffices");
   auto o = std::make_shared<ReportOptions>();
   o->scene.add_to(*command);

@@ -3,14 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "../io/error.hpp"
 #include "number_checks.hpp"
 
 namespace halfspace {
 
-void SceneOptions::add_to(CLI::App& command, const std::string& name) {
+void SceneOptions::add_to(Command& command, const std::string& name) {
   command.add_option(name, path, "Mesh (OBJ, glTF, GLB, PLY, STL) or TCOV file")
       ->required(name.front() != '-');
   command

@@ -24,7 +24,7 @@ struct SceneOptions {
 
   // The scene, required when it is an argument ("SCENE") and not an option ("--scene"); --size,
   // --eye, --target, --up, --fov, --ortho, --case.
-  void add_to(CLI::App& command, const std::string& name = "SCENE");
+  void add_to(Command& command, const std::string& name = "SCENE");
   // simplify_px: as open_scene(). Throws what frame_size() and open_scene() throw.
   std::unique_ptr<Scene> open(const Config& config, Lighting lighting,
                               double simplify_px = 0) const;

@@ -3,7 +3,6 @@
 // halfspace stability: every method over every suite of inputs that break methods.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -64,21 +63,19 @@ int run_stability(const StabilityOptions& options) {
 
 }  // namespace
 
-Action add_stability_command(CLI::App& program) {
-  CLI::App* command =
+Action add_stability_command(Command& program) {
+  Command* command =
       program.add_subcommand("stability", "Every method over every input that breaks methods");
   auto o = std::make_shared<StabilityOptions>();
   command->add_option("--method", o->methods, "Only these methods (see halfspace methods)");
   command->add_option("--suite", o->suites, "Only these suites (see --list)");
-  CLI::Option* list =
-      command->add_flag("--list", o->list, "Name every suite and its reason, and stop");
+  Option* list = command->add_flag("--list", o->list, "Name every suite and its reason, and stop");
   command->add_option("--out", o->out, "JSON file to write, instead of a table on stdout");
-  CLI::Option* explain =
-      command->add_option("--explain", o->explain, "Draw the worst case of one cell");
+  Option* explain = command->add_option("--explain", o->explain, "Draw the worst case of one cell");
   explain->type_name("METHOD/SUITE");
   command->add_option("--picture", o->picture, "PNG file for --explain");
-  stands_alone(*command, list);
-  stands_alone(*command, explain, {"--picture"});
+  command->stands_alone(list);
+  command->stands_alone(explain, {"--picture"});
   command->footer(
       "Figures are wrong pixels per million covered, against CGAL's exact predicates.\n"
       "Example: halfspace stability --explain walk_closed/shared_edges --picture out/worst.png");

@@ -4,7 +4,6 @@
 #include "vectors_command.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <memory>
@@ -127,7 +126,7 @@ int run_vectors(const VectorsRequest& request) {
 }
 
 // Coverage bins, and the checking of files. After all others: some stand alone.
-void add_bin_options(CLI::App& command, VectorsRequest& request) {
+void add_bin_options(Command& command, VectorsRequest& request) {
   command
       .add_option("--goal", request.goal,
                   "The fewest triangles found that hit this part of the reachable bins")
@@ -137,20 +136,20 @@ void add_bin_options(CLI::App& command, VectorsRequest& request) {
       ->capture_default_str();
   command.add_option("--times", request.times, "How often --goal hits each bin, where it can")
       ->capture_default_str();
-  CLI::Option* bins = command.add_option("--bins", request.bins,
-                                         "Report the bins that the triangles of a file hit");
+  Option* bins = command.add_option("--bins", request.bins,
+                                    "Report the bins that the triangles of a file hit");
   command.add_flag("--list-bins", request.list_bins, "Report the bins that are hit too");
-  CLI::Option* check =
+  Option* check =
       command.add_option("--check", request.check,
                          "Build every expected result of a file or manifest again and compare");
-  stands_alone(command, check);
-  stands_alone(command, bins, {"--list-bins"});
+  command.stands_alone(check);
+  command.stands_alone(bins, {"--list-bins"});
 }
 
 }  // namespace
 
-Action add_vectors_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand(
+Action add_vectors_command(Command& program) {
+  Command* command = program.add_subcommand(
       "vectors", "Write stimulus and expected results of a stage, or check a file of them");
   auto o = std::make_shared<VectorsRequest>();
   command->add_option("IN", o->in, "Mesh (OBJ, glTF, GLB, PLY, STL) or TCOV file");
@@ -190,8 +189,8 @@ Action add_vectors_command(CLI::App& program) {
   add_cull_option(*command, o->cull);
   o->config.add_to(*command);
   o->camera.add_to(*command);
-  CLI::Option* from = command->add_option("--from", o->from,
-                                          "Vectors to write again, in other formats or as a bench");
+  Option* from = command->add_option("--from", o->from,
+                                     "Vectors to write again, in other formats or as a bench");
   for (const char* other : {"--config", "--samples", "--generate", "--stage", "--size", "--case"}) {
     from->excludes(command->get_option(other));  // the vectors have their own
   }
