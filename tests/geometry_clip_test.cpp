@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -159,8 +158,9 @@ TEST(Clip, RandomTrianglesCoverWhatTheReferenceCovers) {
     Clips triangle;
     const double reach = i % 3 == 0 ? 1.5 : i % 3 == 1 ? 20.0 : 3000.0;
     for (ClipVertex& v : triangle) {
-      const std::array<double, 4> part{any(random), any(random), any(random), any(random)};
-      v = vertex(reach * part[0], reach * part[1], 2.0 * part[2], part[3] + 0.4);
+      const double w = any(random) + 0.4, z = 2.0 * any(random);
+      const double y = reach * any(random), x = reach * any(random);
+      v = vertex(x, y, z, w);
     }
     const Config& config = kPresets[static_cast<std::size_t>(i) % kPresets.size()].config;
     compared += compare_frame(triangle, frame, config);
@@ -177,8 +177,8 @@ TEST(Clip, PiecesOfACutTriangleFaceTheSameWay) {
   for (int i = 0; i < 20000; ++i) {
     Clips triangle;
     for (ClipVertex& v : triangle) {
-      const std::array<double, 3> part{any(random), any(random), any(random)};
-      v = vertex(3 * part[0], 3 * part[1], part[2], 1.0);
+      const double z = any(random), y = 3 * any(random), x = 3 * any(random);
+      v = vertex(x, y, z, 1.0);
     }
     folded_coarse += folds(run(triangle, {.width = 16, .height = 16}, kCoarse)) ? 1 : 0;
     folded_tiny += folds(run(triangle, {.width = 16, .height = 16}, kTiny)) ? 1 : 0;

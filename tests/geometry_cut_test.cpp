@@ -85,8 +85,9 @@ TEST(Clip, BothTrianglesAtAnEdgeCutItAtTheSameBits) {
   int cut_edges = 0;
   for (int i = 0; i < 20000; ++i) {
     const auto draw = [&] {
-      const std::array<double, 4> part{any(random), any(random), any(random), any(random)};
-      return vertex(40 * part[0], 40 * part[1], 2 * part[2], part[3] + 0.3);
+      const double w = any(random) + 0.3, z = 2 * any(random);
+      const double y = 40 * any(random), x = 40 * any(random);
+      return vertex(x, y, z, w);
     };
     const ClipVertex a = draw(), b = draw(), c = draw(), d = draw();
     const ClipVolume volume =
