@@ -154,6 +154,44 @@ class Package(unittest.TestCase):
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("teapot", done.stderr)
 
+    # --- Components of cmake --install ------------------------------------------------------------
+
+    def test_components_of_the_page_are_the_installation(self):
+        page = (SOURCE / "docs/02_use/install.md").read_text()
+        table = page.split("| --component |")[1].split("\n\n")[0]
+        names = re.findall(r"^\| `(\w+)` \|", table, re.M)
+        self.assertIn("runtime", names)
+        if not PYTHON:
+            names.remove("python")
+        owner = {}
+        for name in names:
+            prefix = self.top / "components" / name
+            run(CMAKE, "--install", BUILD, "--prefix", prefix, "--component", name)
+            files = self.files(prefix)
+            self.assertTrue(files, name)
+            self.assertFalse(owner.keys() & files, "files of two components")
+            owner.update(dict.fromkeys(files, name))
+        self.assertEqual(owner.keys(), self.files(self.prefix), "files of no component")
+        library = (self.libdir / "libhalfspace.so").relative_to(self.prefix)
+        real = (self.libdir / "libhalfspace.so").resolve().relative_to(self.prefix)
+        for path, name in (("bin/halfspace", "runtime"), ("share/halfspace/rtl/rtl.f", "runtime"),
+                           (real, "library"), (library, "development"),
+                           ("include/halfspace.h", "development")):
+            self.assertEqual(owner[pathlib.Path(path)], name, path)
+
+    @staticmethod
+    def files(prefix):
+        return {p.relative_to(prefix) for p in prefix.rglob("*") if not p.is_dir()}
+
+    def test_unknown_component_is_refused(self):
+        prefix = self.top / "unknown"
+        done = subprocess.run([CMAKE, "--install", BUILD, "--prefix", prefix,
+                               "--component", "teapot"],
+                              capture_output=True, text=True, timeout=60, check=False)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("no component teapot, but runtime, ", done.stderr)
+        self.assertFalse(prefix.exists())
+
     # --- Pages made from --help -------------------------------------------------------------------
 
     def test_manual_page_is_clean_and_names_every_option(self):
