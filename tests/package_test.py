@@ -142,17 +142,48 @@ class Package(unittest.TestCase):
                 for tree in (SOURCE, BUILD):
                     self.assertFalse(str(tree).encode() + b"/" in data, (path, tree))
 
-    def test_component_that_is_missing_is_said(self):
-        project = self.top / "missing"
+    # --- find_package where something is missing --------------------------------------------------
+
+    def find_package(self, name, prefix, arguments, linked=""):
+        """Configures and builds a C program that finds the package and links what is named."""
+        project = self.top / name
         project.mkdir()
+        shutil.copy(SOURCE / "tests/consumer/consumer.c", project)
         (project / "CMakeLists.txt").write_text(
-            "cmake_minimum_required(VERSION 3.25)\nproject(missing LANGUAGES CXX)\n"
-            "find_package(halfspace REQUIRED COMPONENTS cmodel teapot)\n")
-        done = subprocess.run([CMAKE, "-S", project, "-B", project / "build",
-                               f"-DCMAKE_PREFIX_PATH={self.prefix}"],
+            f"cmake_minimum_required(VERSION 3.25)\nproject({name} LANGUAGES C)\n"
+            f"find_package(halfspace {arguments})\nadd_executable(consumer consumer.c)\n"
+            f"target_link_libraries(consumer PRIVATE {linked})\n")
+        done = subprocess.run([CMAKE, "-S", project, "-B", project / "build", "-G", "Ninja",
+                               f"-DCMAKE_PREFIX_PATH={prefix}"],
                               capture_output=True, text=True, timeout=60, check=False)
+        if linked and done.returncode == 0:
+            run(CMAKE, "--build", project / "build")
+        return done
+
+    def test_component_that_is_missing_is_said(self):
+        done = self.find_package("missing", self.prefix, "REQUIRED COMPONENTS cmodel teapot")
         self.assertNotEqual(done.returncode, 0)
-        self.assertIn("teapot", done.stderr)
+        self.assertIn("component teapot was not built", " ".join(done.stderr.split()))
+
+    def test_shared_library_does_without_the_static_ones(self):
+        prefix = self.top / "shared"
+        shutil.copytree(self.prefix, prefix, symlinks=True)
+        archives = list(prefix.rglob("*.a"))
+        self.assertEqual(len(archives), 4)
+        for path in archives:
+            path.unlink()
+        for name, arguments in (("default", "REQUIRED"), ("named", "REQUIRED COMPONENTS capi"),
+                                ("optional", "COMPONENTS capi OPTIONAL_COMPONENTS cmodel io")):
+            done = self.find_package(name, prefix, arguments, "halfspace::capi")
+            self.assertEqual((done.returncode, done.stderr), (0, ""), name)
+            said = f"component cmodel has no {prefix}" in done.stdout
+            self.assertEqual(said, name != "named", done.stdout)
+            self.assertEqual(run(self.top / name / "build/consumer", *ARGUMENTS).strip(), self.crc)
+        for component in ("cmodel", "io", "capi_static"):
+            done = self.find_package(f"needs_{component}", prefix,
+                                     f"REQUIRED COMPONENTS capi {component}")
+            self.assertNotEqual(done.returncode, 0, component)
+            self.assertIn("component cmodel has no", " ".join(done.stderr.split()))
 
     # --- Components of cmake --install ------------------------------------------------------------
 
