@@ -41,6 +41,19 @@ program_alone() {
   passed "the program draws the bunny, alone (CRC-32 $crc)"
 }
 
+# A configuration of the user's own, which no preset is: the program builds its RTL.
+rtl_on_demand() {
+  install $(recommended halfspace)
+  printf '{"preset": "tiny", "subpixel_bits": 5, "viewport_bits": 8}\n' >"$work/own.json"
+  local size=(--config "$work/own.json" --size 160x120)
+  halfspace render "$scene" "${size[@]}" --level cycle --out "$work/cycle.png"
+  halfspace render "$scene" "${size[@]}" --level rtl --out "$work/rtl.png"
+  cmp "$work/cycle.png" "$work/rtl.png"
+  passed 'render --level rtl builds the RTL of a configuration of its own'
+  halfspace cosim "$scene" "${size[@]}" --stall 0.3 --seed 7
+  passed 'cosim of that configuration'
+}
+
 # find_package and pkg-config with what libhalfspace-dev depends on, without what it recommends.
 default_components() {
   install g++ cmake make pkg-config
@@ -95,6 +108,7 @@ inside() {
   bunny=("$scene" 640 480)
   apt-get update -qq
   program_alone
+  rtl_on_demand
   default_components
   every_component
   python_module
