@@ -96,10 +96,10 @@ class ExplainMethod(Program):
                                 "passes": False})
 
     def test_text_has_mistakes_first_and_all_when_asked(self):
-        at = (TEAPOT, 320, 240, "--method", "walk_closed")
+        at = (TEAPOT, 270, 200, "--method", "walk_closed")
         near = self.succeed("explain", *at).stdout
         self.assertRegex(near, r"px\^2, inside positive\n\ntriangle \d+: double")
-        self.assertIn("\ntriangle 145: covers", near)
+        self.assertIn("\ntriangle 136: covers", near)
         every = self.succeed("explain", *at, "--all").stdout
         self.assertEqual(every.count("\ntriangle "), 992)
         self.assertLess(near.count("\ntriangle "), 10)

@@ -115,8 +115,8 @@ Action add_explain_command(Command& program) {
       "Edge values are exact integers in units of 2^-(s+f) px^2 (s subpixel bits, f position "
       "bits).\n"
       "With --method they are px^2, and what the method decided stands beside the exact rule.\n"
-      "Examples: halfspace explain tests/scenes/teapot.obj 320 240\n"
-      "          halfspace explain tests/scenes/teapot.obj 320 240 --method walk_closed");
+      "Examples: halfspace explain tests/scenes/teapot.obj 270 200\n"
+      "          halfspace explain tests/scenes/teapot.obj 270 200 --method walk_closed");
   return [o] { return run_explain(*o); };
 }
 
