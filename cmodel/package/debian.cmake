@@ -21,11 +21,12 @@ foreach(component IN LISTS components)
   set(CPACK_DEBIAN_${key}_PACKAGE_NAME ${package_${component}})
 endforeach()
 
-# The program builds RTL on demand; dpi/run.py builds the scoreboard against the library.
+# The program builds RTL on demand, waves with zlib. dpi/run.py has Verilator run make, and builds
+# against the library.
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION
     "The program halfspace, the SystemVerilog of the design, and the model for its benches.")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION electronics)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "verilator, g++ | c++-compiler, make")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "verilator, g++ | c++-compiler, make, zlib1g-dev")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "libhalfspace-dev, python3")
 
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "The shared library of the C interface.")
