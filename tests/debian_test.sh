@@ -13,7 +13,7 @@ scene=$work/bunny.obj
 fail() { printf 'debian_test: %s\n' "$1" >&2; exit 2; }
 passed() { printf 'passed: %s\n' "$1"; }
 
-# --- Inside -----------------------------------------------------------------------------------------
+# --- Inside ---------------------------------------------------------------------------------------
 
 install() {
   DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@" >/dev/null \
@@ -43,15 +43,20 @@ program_alone() {
 
 # A configuration of the user's own, which no preset is: the program builds its RTL.
 rtl_on_demand() {
-  install $(recommended halfspace)
   printf '{"preset": "tiny", "subpixel_bits": 5, "viewport_bits": 8}\n' >"$work/own.json"
-  local size=(--config "$work/own.json" --size 160x120)
+  local size=(--config "$work/own.json" --size 160x120) status=0
+  halfspace cosim "$scene" "${size[@]}" 2>"$work/said" || status=$?
+  [ "$status" -eq 2 ] && grep -q 'package verilator' "$work/said" ||
+    fail "cosim: status $status: $(cat "$work/said")"
+  passed 'cosim says that it needs Verilator'
+  install $(recommended halfspace)
   halfspace render "$scene" "${size[@]}" --level cycle --out "$work/cycle.png"
   halfspace render "$scene" "${size[@]}" --level rtl --out "$work/rtl.png"
   cmp "$work/cycle.png" "$work/rtl.png"
   passed 'render --level rtl builds the RTL of a configuration of its own'
-  halfspace cosim "$scene" "${size[@]}" --stall 0.3 --seed 7
-  passed 'cosim of that configuration'
+  halfspace cosim "$scene" "${size[@]}" --stall 0.3 --seed 7 --trace "$work/waves.fst"
+  [ -s "$work/waves.fst" ] || fail 'no waves'
+  passed 'cosim of that configuration, with waves'
 }
 
 # find_package and pkg-config with what libhalfspace-dev depends on, without what it recommends.
@@ -65,7 +70,8 @@ default_components() {
     'target_link_libraries(consumer PRIVATE halfspace::cmodel halfspace::capi)' \
     >"$work/default/CMakeLists.txt"
   build "$work/default"
-  same 'find_package(halfspace), default components' "$("$work/default/build/consumer" "${bunny[@]}")"
+  same 'find_package(halfspace), default components' \
+    "$("$work/default/build/consumer" "${bunny[@]}")"
   cc "$work/consumer/consumer.c" -o "$work/pkg_shared" $(pkg-config --cflags --libs halfspace)
   same 'pkg-config, shared' "$("$work/pkg_shared" "${bunny[@]}")"
 }
@@ -82,8 +88,8 @@ every_component() {
   for name in consumer_c consumer_static consumer_cpp; do
     same "find_package(halfspace), $name" "$("$work/consumer/build/$name" "${bunny[@]}")"
   done
-  cc "$work/consumer/consumer.c" -o "$work/pkg_static" $(pkg-config --cflags --libs --static halfspace |
-    sed 's/-lhalfspace /-l:libhalfspace.a /')
+  cc "$work/consumer/consumer.c" -o "$work/pkg_static" \
+    $(pkg-config --cflags --libs --static halfspace | sed 's/-lhalfspace /-l:libhalfspace.a /')
   same 'pkg-config, static' "$("$work/pkg_static" "${bunny[@]}")"
 }
 
@@ -115,7 +121,7 @@ inside() {
   removal
 }
 
-# --- Outside ----------------------------------------------------------------------------------------
+# --- Outside --------------------------------------------------------------------------------------
 
 # Undoes what main did, in the reverse order.
 clean() {
