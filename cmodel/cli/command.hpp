@@ -8,11 +8,15 @@
 #include <vector>
 
 #include "../config.hpp"
+#include "../framebuffer.hpp"
 #include "../packets.hpp"
 #include "camera_options.hpp"
 #include "options.hpp"
 
 namespace halfspace {
+
+class Scene;
+struct RunStats;
 
 // How much is modelled. docs/01_overview/levels.md.
 enum class Level { kCoverage, kBit, kCycle, kRtl };
@@ -36,6 +40,16 @@ void require_level(Level level, const Config& config);
 void add_cull_option(Command& command, std::string& cull);
 Cull parse_cull(const std::string& name);
 
+// How render draws a frame by a method of the gallery.
+struct MethodDrawing {
+  // Throws Error(kMethod) or Error(kMethodOption) when there is no such method, or it cannot draw
+  // the shade.
+  void (*require)(const std::string& method, const std::string& shade);
+  // method_picture() of it.
+  Image (*draw)(const Scene& scene, std::size_t index, const FrameState& frame,
+                const std::string& method, const std::string& shade, RunStats& stats);
+};
+
 // halfspace cosim: a scene or TCOV file through model and RTL, compared.
 struct CosimRequest {
   std::string in;
@@ -54,7 +68,8 @@ struct CosimRequest {
 // Error.
 int run_cosim(const CosimRequest& request);
 
-Action add_render_command(Command& program);
+// gallery: null in a program without it, where --method is refused.
+Action add_render_command(Command& program, const MethodDrawing* gallery);
 Action add_coverage_command(Command& program);
 Action add_config_command(Command& program);
 Action add_cosim_command(Command& program);

@@ -11,6 +11,7 @@
 #include "../io/error.hpp"
 #include "../io/interrupt.hpp"
 #include "command.hpp"
+#include "method_picture.hpp"
 
 namespace {
 
@@ -21,13 +22,30 @@ int fail(halfspace::ErrorCode code, const std::string& text) {
   return 2;
 }
 
+using halfspace::Command;
+
+// HALFSPACE_SUBCOMMANDS=drawing leaves out what a null stands for.
+#ifdef HALFSPACE_DRAWING_ONLY
+#define HS_UNLESS_DRAWING_ONLY(function) nullptr
+constexpr const halfspace::MethodDrawing* kGallery = nullptr;
+#else
+#define HS_UNLESS_DRAWING_ONLY(function) function
+constexpr const halfspace::MethodDrawing* kGallery = &halfspace::kMethodDrawing;
+#endif
+
 const std::vector<halfspace::Subcommand> kSubcommands{
-    {"render", halfspace::add_render_command},   {"coverage", halfspace::add_coverage_command},
-    {"cosim", halfspace::add_cosim_command},     {"bench", halfspace::add_bench_command},
-    {"vectors", halfspace::add_vectors_command}, {"fit", halfspace::add_fit_command},
-    {"methods", halfspace::add_methods_command}, {"config", halfspace::add_config_command},
-    {"chart", halfspace::add_chart_command},     {"explain", halfspace::add_explain_command},
-    {"report", halfspace::add_report_command},   {"stability", halfspace::add_stability_command},
+    {"render", [](Command& program) { return halfspace::add_render_command(program, kGallery); }},
+    {"coverage", halfspace::add_coverage_command},
+    {"cosim", halfspace::add_cosim_command},
+    {"bench", HS_UNLESS_DRAWING_ONLY(halfspace::add_bench_command)},
+    {"vectors", HS_UNLESS_DRAWING_ONLY(halfspace::add_vectors_command)},
+    {"fit", HS_UNLESS_DRAWING_ONLY(halfspace::add_fit_command)},
+    {"methods", HS_UNLESS_DRAWING_ONLY(halfspace::add_methods_command)},
+    {"config", halfspace::add_config_command},
+    {"chart", HS_UNLESS_DRAWING_ONLY(halfspace::add_chart_command)},
+    {"explain", HS_UNLESS_DRAWING_ONLY(halfspace::add_explain_command)},
+    {"report", HS_UNLESS_DRAWING_ONLY(halfspace::add_report_command)},
+    {"stability", HS_UNLESS_DRAWING_ONLY(halfspace::add_stability_command)},
 };
 
 int run(int argc, char** argv) {

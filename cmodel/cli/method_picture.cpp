@@ -133,4 +133,11 @@ Image method_picture(const Scene& scene, std::size_t index, const FrameState& fr
   return shade == "depth" ? picture_of_canvas_depth(canvas) : picture_of_colors(canvas);
 }
 
+const MethodDrawing kMethodDrawing{
+    [](const std::string& method, const std::string& shade) { find_method(method, shade); },
+    [](const Scene& scene, std::size_t index, const FrameState& frame, const std::string& method,
+       const std::string& shade, RunStats& stats) {
+      return method_picture(scene, index, frame, find_method(method, shade), shade, stats);
+    }};
+
 }  // namespace halfspace

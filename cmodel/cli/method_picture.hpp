@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "../methods/method.hpp"
+#include "command.hpp"
 #include "pictures.hpp"
 #include "scene.hpp"
 
@@ -32,5 +33,8 @@ Rgb picture_color(const methods::Color& color);
 // (the primitives drawn) and stats.simulate_seconds. Throws Error(kMethodGaveUp).
 Image method_picture(const Scene& scene, std::size_t index, const FrameState& frame,
                      const methods::Method& method, const std::string& shade, RunStats& stats);
+
+// The two for render, which is built without the gallery too.
+extern const MethodDrawing kMethodDrawing;
 
 }  // namespace halfspace

@@ -103,6 +103,21 @@ void Command::stands_alone(const Option* option, const std::vector<std::string>&
   }
 }
 
+namespace {
+
+// A subcommand that this build lacks takes whatever it is given, to say so.
+Action add_absent(CLI::App& app, const std::string& name) {
+  CLI::App* command = app.add_subcommand(name, "(not in this build)");
+  command->allow_extras();
+  command->set_help_flag();
+  return [name]() -> int {
+    throw Error(ErrorCode::kNoLab, name,
+                "this program was built without it (HALFSPACE_SUBCOMMANDS=drawing)");
+  };
+}
+
+}  // namespace
+
 Action parse_command_line(int argc, const char* const* argv,
                           const std::vector<Subcommand>& subcommands) {
   CLI::App app{"Halfspace: a bit- and cycle-accurate model of a triangle rasterizer"};
@@ -112,7 +127,8 @@ Action parse_command_line(int argc, const char* const* argv,
   Command program(app);
   std::vector<std::pair<const char*, Action>> actions;
   for (const Subcommand& subcommand : subcommands) {
-    actions.emplace_back(subcommand.name, subcommand.add(program));
+    const auto& [name, add] = subcommand;
+    actions.emplace_back(name, add == nullptr ? add_absent(app, name) : add(program));
   }
   try {
     app.parse(argc, argv);

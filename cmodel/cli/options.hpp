@@ -78,7 +78,7 @@ class Command {
 using Action = std::function<int()>;  // returns the exit status
 struct Subcommand {
   const char* name;
-  Action (*add)(Command& program);
+  Action (*add)(Command& program);  // null: this build lacks it, and says so when it is chosen
 };
 
 // Reads the command line; the action of the subcommand that it chooses. Without one: --help or

@@ -16,7 +16,6 @@
 #include "bit_frame.hpp"
 #include "command.hpp"
 #include "level_run.hpp"
-#include "method_picture.hpp"
 #include "number_checks.hpp"
 #include "pictures.hpp"
 #include "rtl_link.hpp"
@@ -162,14 +161,17 @@ TraceLog level_trace(Level level, const Scene& scene, Cull cull, const Config& c
                               : trace_model(triangles, frame, config, Stalls());
 }
 
-int run_render(const RenderOptions& options) {
+int run_render(const RenderOptions& options, const MethodDrawing* gallery) {
   const Clock::time_point start = Clock::now();
-  const methods::Method* method = nullptr;
-  if (!options.method.empty()) method = &find_method(options.method, options.shade);
+  const bool by_method = !options.method.empty();
+  if (by_method && gallery == nullptr) {
+    throw Error(ErrorCode::kNoLab, "--method", "this program was built without the gallery");
+  }
+  if (by_method) gallery->require(options.method, options.shade);
   const bool automatic = options.level == "auto";
   const Level level = parse_level(automatic ? "coverage" : options.level);
   // A method has shades of its own; of --shade only the light matters here.
-  const Shade shade = method == nullptr         ? parse_shade(options, level)
+  const Shade shade = !by_method                ? parse_shade(options, level)
                       : options.shade == "flat" ? Shade::kFlat
                                                 : Shade::kGouraud;
   const Cull cull = parse_cull(options.cull);
@@ -186,13 +188,13 @@ int run_render(const RenderOptions& options) {
 
   RunStats stats;
   stats.command = "render";
-  stats.level = method == nullptr ? options.level : method->name;
+  stats.level = by_method ? options.method : options.level;
   std::vector<Image> images;
   for (std::size_t i = 0; i < scene->frames(); ++i) {
     FrameState frame = scene->frame(i, config);
     frame.cull = cull;
-    if (method != nullptr) {
-      images.push_back(method_picture(*scene, i, frame, *method, options.shade, stats));
+    if (by_method) {
+      images.push_back(gallery->draw(*scene, i, frame, options.method, options.shade, stats));
       continue;
     }
     if (automatic) add_prediction(*scene, i, frame, config, stats);
@@ -217,7 +219,7 @@ int run_render(const RenderOptions& options) {
 
 }  // namespace
 
-Action add_render_command(Command& program) {
+Action add_render_command(Command& program, const MethodDrawing* gallery) {
   Command* command = program.add_subcommand("render", "Draw a scene and write a PNG");
   auto o = std::make_shared<RenderOptions>();
   o->scene.add_to(*command);
@@ -252,7 +254,7 @@ Action add_render_command(Command& program) {
   command->footer(
       "Without --eye the camera frames the scene by itself.\n"
       "Example: halfspace render tests/scenes/teapot.obj --size 640x480 --out out/teapot.png");
-  return [o] { return run_render(*o); };
+  return [o, gallery] { return run_render(*o, gallery); };
 }
 
 }  // namespace halfspace
