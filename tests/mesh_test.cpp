@@ -236,16 +236,18 @@ TEST_F(MeshFile, ObjWithoutAFinalLineEndLoads) {
 }
 
 TEST_F(MeshFile, ObjDialectsMeanTheSame) {
+  const char* const with_all_else =
+      "mtllib none.mtl\no a\ng b c\ns off\nfoo 1 2\nvp 1 2\ncstype bezier\n"
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\np 1\nl 1 2\nf 1 \\\n 2 \\\n 3\n";
   const char* const texts[] = {
+      with_all_else,
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
       "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n",
       "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r",
       "\tv +0 0 -0 # comment\n v\t1. .0 0e5\nv 0 1 0 1\n  f 1 2 3 # comment\n",
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n",
       "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n",
-      "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0\nvt 1 0\nvt 0 1 0\nf 1/1 2/2 3/-1\n",
-      "mtllib none.mtl\no a\ng b c\ns off\nfoo 1 2\nvp 1 2\ncstype bezier\n"
-      "v 0 0 0\nv 1 0 0\nv 0 1 0\np 1\nl 1 2\nf 1 \\\n 2 \\\n 3\n"};
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0\nvt 1 0\nvt 0 1 0\nf 1/1 2/2 3/-1\n"};
   for (const char* text : texts) {
     const Mesh mesh = load_obj(text);
     ASSERT_EQ(mesh.triangles.size(), 1U) << text;
