@@ -200,9 +200,10 @@ class Report(Program):
         (os.killpg if group else os.kill)(run.pid, signal.SIGINT)
         said = run.communicate(timeout=60)[1]
         self.assertEqual(run.returncode, 2, said)
-        *notes, line = said.splitlines()
-        self.assertEqual(line, "halfspace: error[HS050]: interrupted; nothing was written")
-        self.assertTrue(all(note.startswith("halfspace: note: ") for note in notes), said)
+        # A report that comes to its charts without matplotlib says so, and goes on.
+        said = [line for line in said.splitlines()
+                if CAN_DRAW or not line.startswith("halfspace: report without charts: ")]
+        self.assertEqual(said, ["halfspace: error[HS050]: interrupted; nothing was written"])
 
     def test_interrupted_leaves_nothing(self):
         folder = self.out / "new" / "report"
