@@ -169,7 +169,9 @@ fs::path cache_folder() {
   if (const std::string home = variable("HOME"); !home.empty()) {
     return fs::path(home) / ".cache/halfspace/rtl";
   }
-  return fs::temp_directory_path() / fmt::format("halfspace-{}", ::getuid()) / "rtl";
+  // Not a folder in /tmp: anybody could have put an object there.
+  throw Error(ErrorCode::kFileWrite, "HALFSPACE_RTL_CACHE",
+              "is not set, nor is HOME: there is no place for the built RTL");
 }
 
 // One line on a terminal, replaced by the next and erased in the end.
