@@ -70,12 +70,6 @@ void add_corners(Values& values, const SetupTriangle& setup, const Config& confi
   }
 }
 
-int total_bits(const Layout& layout) {
-  int bits = 0;
-  for (const PortField& field : layout) bits += field.bits;
-  return bits;
-}
-
 void add_stored(Layout& layout, const Config& config) {
   for (int lane = 0; lane < config.lanes(); ++lane) {
     layout.push_back({fmt::format("stored{}", lane), config.depth_bits, false});
@@ -83,6 +77,12 @@ void add_stored(Layout& layout, const Config& config) {
 }
 
 }  // namespace
+
+int layout_bits(const Layout& layout) {
+  int bits = 0;
+  for (const PortField& field : layout) bits += field.bits;
+  return bits;
+}
 
 Layout triangle_layout(const Config& config) {
   Layout layout;
@@ -238,13 +238,13 @@ Values values_of(const FrameState& frame) {
 }
 
 PortWords pack(const Values& values, const Layout& layout) {
-  BitWriter bits(total_bits(layout));
+  BitWriter bits(layout_bits(layout));
   for (std::size_t i = 0; i < layout.size(); ++i) bits.put(values[i], layout[i].bits);
   return bits.words();
 }
 
 Values unpack(const PortWords& words, const Layout& layout) {
-  BitReader bits(words.data(), total_bits(layout));
+  BitReader bits(words.data(), layout_bits(layout));
   Values values;
   for (const PortField& field : layout) {
     values.push_back(field.is_signed ? bits.signed_bits(field.bits)

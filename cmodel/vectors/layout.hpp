@@ -22,6 +22,8 @@ using Layout = std::vector<PortField>;     // first field in the highest bits
 using Values = std::vector<std::int64_t>;  // one per field
 using PortWords = std::vector<std::uint32_t>;
 
+int layout_bits(const Layout& layout);  // of the whole struct
+
 Layout triangle_layout(const Config& config);
 Layout setup_layout(const Config& config);      // with the corners that only the RTL has
 Layout traversal_layout(const Config& config);  // a node and what it needs of its triangle

@@ -101,12 +101,6 @@ Layout vector_layout(RecordKind kind, const VectorMeta& meta) {
   return layout;
 }
 
-int layout_bits(const Layout& layout) {
-  int bits = 0;
-  for (const PortField& field : layout) bits += field.bits;
-  return bits;
-}
-
 bool is_lanes(const PortField& field) {
   return field.name.starts_with("mask") || field.name == "covered" || field.name == "passed";
 }

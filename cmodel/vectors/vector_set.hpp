@@ -100,9 +100,6 @@ class VectorLayouts {
 // How many fields of a record come before the port's.
 std::size_t bookkeeping_fields(RecordKind kind, VectorStage stage);
 
-// Bits of all fields.
-int layout_bits(const Layout& layout);
-
 // True for a field that is a set of lanes: written in hexadecimal.
 bool is_lanes(const PortField& field);
 

@@ -16,9 +16,7 @@ namespace halfspace {
 namespace {
 
 std::size_t word_count(const Layout& layout) {
-  int bits = 0;
-  for (const PortField& field : layout) bits += field.bits;
-  return static_cast<std::size_t>((bits + 31) / 32);
+  return static_cast<std::size_t>((layout_bits(layout) + 31) / 32);
 }
 
 // Never closed: a library with thread-wide objects does not survive it.
@@ -42,8 +40,6 @@ struct Constant {
 
 // The model's side of rtl/hs_pkg.sv.
 std::vector<Constant> constants_of(const Config& c) {
-  int traversal = 0;
-  for (const PortField& field : traversal_layout(c)) traversal += field.bits;
   return {{"SUBPIXEL_BITS", c.subpixel_bits},
           {"VIEWPORT_BITS", c.viewport_bits},
           {"GUARD_BITS", c.guard_bits},
@@ -73,7 +69,7 @@ std::vector<Constant> constants_of(const Config& c) {
           {"LANE_BITS", c.lane_bits()},
           {"REACH_BITS", c.delta_bits()},
           {"INSET_BITS", c.delta_bits() + c.sample_bits()},
-          {"TRAVERSAL_BITS", traversal}};
+          {"TRAVERSAL_BITS", layout_bits(traversal_layout(c))}};
 }
 
 void compare_constants(const hs_rtl_object& object, const Config& config) {

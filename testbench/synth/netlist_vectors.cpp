@@ -18,9 +18,9 @@
 #include <string>
 #include <vector>
 
-#include "bits.hpp"
 #include "cycle_model.hpp"
 #include "generators.hpp"
+#include "layout.hpp"
 
 namespace halfspace {
 namespace {
@@ -55,9 +55,11 @@ struct Listener {
   void tile(std::uint64_t clock, const CoverageTile& tile) { events.tiles.emplace(clock, tile); }
 };
 
-std::string hex(const std::vector<std::uint32_t>& words, int bits) {
+// A packed struct in hex digits, padded with zeros to whole ones.
+std::string hex(const Values& values, const Layout& layout) {
+  const PortWords words = pack(values, layout);
   std::string out;
-  for (int digit = (bits + 3) / 4; digit-- > 0;) {
+  for (int digit = (layout_bits(layout) + 3) / 4; digit-- > 0;) {
     out += "0123456789abcdef"[words[static_cast<std::size_t>(digit / 8)] >> digit % 8 * 4 & 15];
   }
   return out;
@@ -118,8 +120,9 @@ class Writer {
   }
 
   bool finish() {
-    widths_ << "FRAME_BITS " << frame_bits() << "\nTRIANGLE_BITS " << triangle_bits()
-            << "\nCOVERAGE_BITS " << coverage_bits() << "\nCLOCKS " << clocks_ << '\n';
+    widths_ << "FRAME_BITS " << layout_bits(frame_layout(config_)) << "\nTRIANGLE_BITS "
+            << layout_bits(triangle_layout(config_)) << "\nCOVERAGE_BITS "
+            << layout_bits(coverage_layout(config_)) << "\nCLOCKS " << clocks_ << '\n';
     widths_.flush();
     stimulus_.flush();
     expected_.flush();
@@ -127,44 +130,28 @@ class Writer {
   }
 
  private:
-  int frame_bits() const { return 2 * (config_.viewport_bits + 1) + 2; }
-  int triangle_bits() const { return 6 * config_.vertex_bits() + config_.tag_bits; }
-  int coverage_bits() const {
-    return 2 * config_.viewport_bits + config_.samples * config_.lanes() + config_.tag_bits;
-  }
   std::uint32_t tag_mask() const {
     return config_.tag_bits == 32 ? ~0u : (1u << config_.tag_bits) - 1;
   }
 
   void put(const FrameState& frame, const Inputs& inputs) {
-    const int bits = 3 + frame_bits() + triangle_bits();
-    BitWriter out(bits);
-    out.put(inputs.reset ? 0 : 1, 1);
-    out.put(inputs.ready ? 1 : 0, 1);
-    out.put(inputs.triangle != nullptr ? 1 : 0, 1);
-    out.put(frame.width, config_.viewport_bits + 1);
-    out.put(frame.height, config_.viewport_bits + 1);
-    out.put(static_cast<int>(frame.cull), 2);
-    if (inputs.triangle != nullptr) {
-      for (const Point p : inputs.triangle->vertex) {
-        out.put(p.x, config_.vertex_bits());
-        out.put(p.y, config_.vertex_bits());
-      }
-      out.put(inputs.triangle->tag, config_.tag_bits);
-    }
-    stimulus_ << hex(out.words(), bits) << '\n';
+    Layout layout{{"rst_ni", 1, false}, {"ready_i", 1, false}, {"valid_i", 1, false}};
+    Values values{inputs.reset ? 0 : 1, inputs.ready ? 1 : 0, inputs.triangle != nullptr ? 1 : 0};
+    append(layout, frame_layout(config_));
+    append(values, values_of(frame));
+    const Layout triangle = triangle_layout(config_);
+    append(layout, triangle);
+    append(values, inputs.triangle != nullptr ? values_of(*inputs.triangle, config_)
+                                              : Values(triangle.size(), 0));
+    stimulus_ << hex(values, layout) << '\n';
     ++clocks_;
   }
-
+  template <class List>
+  static void append(List& to, const List& more) {
+    to.insert(to.end(), more.begin(), more.end());
+  }
   std::string packed(const CoverageTile& tile) const {
-    BitWriter out(coverage_bits());
-    out.put(tile.x, config_.viewport_bits);
-    out.put(tile.y, config_.viewport_bits);
-    for (int m = config_.samples - 1; m >= 0; --m) {
-      out.put(static_cast<std::int64_t>(tile.mask[static_cast<std::size_t>(m)]), config_.lanes());
-    }
-    out.put(tile.tag & tag_mask(), config_.tag_bits);
-    return hex(out.words(), coverage_bits());
+    return hex(values_of(tile, config_), coverage_layout(config_));
   }
 
   Config config_;
