@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/mat4x4.hpp>
 
+#include "camera.hpp"
 #include "cosim.hpp"
 #include "cycle_model.hpp"
 #include "generators.hpp"
