@@ -2,7 +2,7 @@
 //
 // Fixed-point helpers shared by every stage. Two's complement; a format S<i>.<f> has a sign, i
 // integer and f fraction bits (i + f + 1 in all), U<i>.<f> has no sign.
-// Twin: rtl/hs_pkg.sv (functions of the same names).
+// Twin: rtl/hs_setup_edge.sv (gen_saturate) and rtl/hs_child_step.sv saturate; the rest has none.
 #pragma once
 
 #include <cstdint>

@@ -32,7 +32,7 @@ struct FrameTile {
 };
 
 // Depth and colour of a frame, stored by tile; a tile gets storage when it is first touched, so a
-// frame costs what its picture covers.
+// frame costs what its picture covers. Twin: none yet in rtl/.
 class Framebuffer {
  public:
   // background: the colour of samples no triangle won.

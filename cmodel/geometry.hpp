@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The host stage: vertices in clip space in, fixed-point triangles out. Homogeneous clipping,
-// viewport, snapping and the packing of attributes. Double precision throughout; no RTL twin.
+// viewport, snapping and the packing of attributes. Double precision throughout. Twin: none,
+// the host's.
 // Conventions are OpenGL's up to the viewport (clip volume -w <= x, y, z <= w), then y points
 // down. Page: docs/03_design/geometry.md.
 #pragma once

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Standard sample positions. Source: Vulkan 1.3, "Standard sample locations"; Direct3D 11.3
-// functional specification, 19.2.4.1. Twin: rtl/hs_pkg.sv, sample_x/sample_y.
+// functional specification, 19.2.4.1. Twin: rtl/hs_pkg.sv (SAMPLE_X, SAMPLE_Y).
 #pragma once
 
 #include <algorithm>

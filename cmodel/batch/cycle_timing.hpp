@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The rules of docs/03_design/timing.md again, for the fast engine: as class Timing, and two closed
-// forms for when nothing stalls. Proofs: docs/03_design/cycle.md. Twin: Timing (timing.hpp).
+// forms for when nothing stalls. Proofs: docs/03_design/cycle.md. Must equal: Timing (timing.hpp).
 #pragma once
 
 #include <algorithm>
