@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What travels between the stages: one struct per arrow of the data flow, same fields in the same
-// order as the packed structs of rtl/hs_pkg.sv. Formats name the derived widths of Config.
-// s = subpixel_bits, q = sample_bits().
+// What travels between the stages up to coverage: one struct per arrow of the data flow, same
+// fields in the same order as the packed structs of rtl/hs_pkg.sv. What only later stages pass on
+// (planes, depths, colours) is in the header of the stage that makes it. Formats name the widths of
+// Config. s = subpixel_bits, q = sample_bits().
 #pragma once
 
 #include <array>
