@@ -2,52 +2,182 @@
 # SPDX-License-Identifier: Apache-2.0
 """check_tree.py ROOT: the tree's promises that no compiler checks.
 
-- a stage has its files: cmodel/X.hpp, cmodel/X.cpp, tests/X_test.cpp, docs/03_design/X.md
+- a stage has its header, body, test and page, and in rtl/ its module, checker and cosim test;
+  a stage that lacks one is listed with the reason
+- what a `Twin:` comment names exists: the file, and in it the function or constant
+- a stage includes no stage but those listed, and the core no I/O, threads or library but GLM
+- a macro with arguments is one of those listed
 - every error code has a section in docs/02_use/errors.md, and the other way round
-- every relative link in a Markdown file leads somewhere
-- the core model includes no I/O, no threads and no other stage's internals
+- every relative link in a Markdown file leads to a file, and to a heading of it
+- the version is the same wherever it is written, and so is the maintainers' address
+
+Each is seen failing by check_tree_test.py.
 """
 import pathlib
 import re
 import subprocess
 import sys
 
-ROOT = pathlib.Path(sys.argv[1])
-STAGES = ["geometry", "triangle_setup", "half_plane_grid", "tile_traversal", "coverage",
-          "interpolation", "depth_test", "framebuffer"]
-problems = []
+FILES = {"header": "cmodel/{}.hpp", "body": "cmodel/{}.cpp", "test": "tests/{}_test.cpp",
+         "page": "docs/03_design/{}.md", "module": "rtl/hs_{}.sv",
+         "checker": "rtl/checkers/hs_{}_checker.sv", "cosim": "tests/{}_cosim_test.cpp"}
+NO_RTL = ("module", "checker", "cosim")
+# Each stage in flow order, and which of FILES it lacks.
+STAGES = {"geometry": NO_RTL,                 # runs on the host
+          "triangle_setup": (),
+          "half_plane_grid": ("checker",),    # no handshake: a part of the next two
+          "tile_traversal": (),
+          "coverage": (),
+          "interpolation": NO_RTL,            # no RTL yet, nor the next two
+          "depth_test": NO_RTL,
+          "framebuffer": NO_RTL}
+# The stages that a stage may include, and for what.
+INCLUDES = {"tile_traversal": {"half_plane_grid"},  # it is made of grids
+            "coverage": {"half_plane_grid"},        # and so is this
+            "depth_test": {"interpolation"},        # TilePlane
+            "framebuffer": {"depth_test"}}          # DepthTile
+NOT_IN_CORE = {"thread", "mutex", "atomic", "future", "condition_variable", "iostream", "fstream",
+               "sstream", "filesystem"}
+# Macros with arguments: where a function cannot do it.
+MACROS = {"HS_CHECK": "cmodel/fixed.hpp",                      # the condition's text and line
+          "HS_UNLESS_DRAWING_ONLY": "cmodel/cli/main.cpp",     # a name that is not linked
+          "HS_CONSTANT": "testbench/rtl/rtl_object.cpp"}       # a name made of two
 
 
-def need(path):
-    if not (ROOT / path).is_file():
-        problems.append(f"missing: {path}")
+class Tree:
+    """The files below a root that git knows; `changed` replaces the text of some, None removes."""
+
+    def __init__(self, root, changed=()):
+        self.root, self.changed = pathlib.Path(root), dict(changed)
+        listed = subprocess.run(["git", "-C", str(root), "ls-files", "-co", "--exclude-standard"],
+                                capture_output=True, text=True)
+        self.paths = listed.stdout.splitlines() or [
+            p.relative_to(root).as_posix() for folder in ("cmodel", "rtl", "testbench", "tests",
+                                                          "docs")
+            for p in self.root.glob(f"{folder}/**/*") if p.is_file()]
+
+    def has(self, path):
+        if path in self.changed:
+            return self.changed[path] is not None
+        return (self.root / path).exists()
+
+    def text(self, path):
+        return self.changed.get(path) or (self.root / path).read_text()
+
+    def match(self, pattern):
+        return [p for p in self.paths if re.fullmatch(pattern, p) and self.has(p)]
 
 
-for stage in STAGES:
-    for path in (f"cmodel/{stage}.hpp", f"cmodel/{stage}.cpp", f"tests/{stage}_test.cpp",
-                 f"docs/03_design/{stage}.md"):
-        need(path)
+def stages(tree):
+    for stage, lacks in STAGES.items():
+        for kind, form in FILES.items():
+            path = form.format(stage)
+            if tree.has(path) == (kind in lacks):
+                yield f"{path}: {'is there, and listed as lacking' if kind in lacks else 'missing'}"
+        header = f"cmodel/{stage}.hpp"
+        if tree.has(header) and "Twin: " not in tree.text(header):
+            yield f"{header}: names no twin, nor says that there is none"
 
-errors = (ROOT / "cmodel/io/error.hpp").read_text()
-codes = {int(n) for n in re.findall(r"= (\d+),", errors)}
-page = (ROOT / "docs/02_use/errors.md").read_text()
-sections = {int(n) for n in re.findall(r"^## HS(\d{3})", page, re.M)}
-for code in sorted(codes ^ sections):
-    problems.append(f"error code HS{code:03} is in only one of error.hpp and errors.md")
 
-listed = subprocess.run(["git", "-C", str(ROOT), "ls-files", "-co", "--exclude-standard", "*.md"],
-                        capture_output=True, text=True)
-pages = [ROOT / p for p in listed.stdout.split()] or list(ROOT.glob("docs/**/*.md"))
-for md in pages:
-    for link in re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", md.read_text()):
-        if not re.match(r"[a-z]+:", link) and not (md.parent / link).exists():
-            problems.append(f"{md.relative_to(ROOT)}: broken link {link}")
+def twin_comments(text):
+    """What each comment says after `Twin:`, up to its full stop or the comment's next heading."""
+    for found in re.finditer(r"^ *// .*?Twins?:(.*(?:\n *// ?(?! *\w+: ).*)*)", text, re.M):
+        said = re.sub(r"\n *//", " ", found[1])
+        yield re.split(r"\.(?=\s|$)|;", said)[0]
 
-for source in (ROOT / "cmodel").glob("*.[ch]pp"):
-    for header in re.findall(r'#include [<"]([^">]+)[">]', source.read_text()):
-        if header.startswith(("io/", "cli/", "thread", "iostream", "fstream", "gtest")):
-            problems.append(f"{source.name} includes {header}: the core does no I/O")
 
-print("\n".join(problems) or f"tree in order: {len(STAGES)} stages, {len(codes)} error codes, "
-      f"{len(pages)} pages")
-sys.exit(1 if problems else 0)
+def twins(tree):
+    for path in tree.match(r"(cmodel|rtl|testbench)/.*\.([ch]pp|sv|h)"):
+        for said in twin_comments(tree.text(path)):
+            named = re.findall(r"[\w/<>-]+\.(?:[ch]pp|sv)\b", said)
+            files = [p for name in named
+                     for p in tree.match(re.sub(r"<\w+>", r"\\w+", re.escape(name)))]
+            if len(files) < len(named) or not (named or "none" in said or "rtl/" in said):
+                yield f"{path}: Twin: {said.strip()}: no such file"
+                continue
+            words = re.sub(r"[\w/<>-]+\.(?:[ch]pp|sv)\b|\brtl/|\bRTL\b", " ", said)
+            for name in re.findall(r"(?:\w+::)*(\w*(?:_|[A-Z])\w*|\w+(?=\(\)))", words):
+                if not any(re.search(rf"\b{name}\b", tree.text(file)) for file in files):
+                    yield f"{path}: Twin: {said.strip()}: no {name} there"
+
+
+def includes(tree):
+    for path in tree.match(r"cmodel/\w+\.[ch]pp"):
+        stem = pathlib.PurePath(path).stem
+        for form, header in re.findall(r'#include ([<"])([^">]+)[">]', tree.text(path)):
+            other = pathlib.PurePath(header).stem
+            if form == '"' and stem in STAGES and other in STAGES and (
+                    other not in INCLUDES.get(stem, ()) and other != stem):
+                yield f"{path} includes {header}: a stage knows no other"
+            elif header in NOT_IN_CORE or ("/" in header or "." in header) and (
+                    form == "<" and not header.startswith("glm/")) or form == '"' and "/" in header:
+                yield f"{path} includes {header}: the core has no I/O, no threads, GLM alone"
+    for stem, others in INCLUDES.items():
+        texts = "".join(tree.text(f"cmodel/{stem}.{end}") for end in ("hpp", "cpp"))
+        for other in others:
+            if f'"{other}.hpp"' not in texts:
+                yield f"cmodel/{stem}: no longer includes {other}.hpp, and is listed so"
+
+
+def macros(tree):
+    for path in tree.match(r"(cmodel|testbench|tests)/.*\.([ch]pp|[ch])"):
+        for name in re.findall(r"^ *# *define (\w+)\(", tree.text(path), re.M):
+            if MACROS.get(name) != path:
+                yield f"{path}: macro {name} is not one of those with a reason (check_tree.py)"
+
+
+def errors(tree):
+    codes = {int(n) for n in re.findall(r"= (\d+),", tree.text("cmodel/io/error.hpp"))}
+    sections = {int(n) for n in re.findall(r"^## HS(\d{3})", tree.text("docs/02_use/errors.md"),
+                                           re.M)}
+    for code in sorted(codes ^ sections):
+        yield f"error code HS{code:03} is in only one of error.hpp and errors.md"
+
+
+def anchors(text):
+    """The names that a page's headings are reached by."""
+    text = re.sub(r"^```.*?^```", "", text, flags=re.M | re.S)
+    for heading in re.findall(r"^#+ +(.*)$", text, re.M):
+        plain = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading)
+        yield re.sub(r"[^\w\- ]", "", plain.lower()).replace(" ", "-")
+
+
+def links(tree):
+    for page in tree.match(r".*\.md"):
+        for link, anchor in re.findall(r"\]\(([^)#\s]*)(?:#([^)\s]*))?\)", tree.text(page)):
+            if re.match(r"[a-z]+:", link):
+                continue
+            to = (tree.root / page).parent / link if link else tree.root / page
+            if not to.exists():
+                yield f"{page}: broken link {link}"
+            elif anchor:
+                path = to.resolve().relative_to(tree.root.resolve()).as_posix()
+                if anchor not in anchors(tree.text(path)):
+                    yield f"{page}: {link}#{anchor}: no such heading"
+
+
+def release(tree):
+    version = re.search(r"project\(halfspace VERSION ([\d.]+)", tree.text("CMakeLists.txt"))[1]
+    cited = re.search(r"^version: (.*)$", tree.text("CITATION.cff"), re.M)[1]
+    date = re.search(r"^date-released: (.*)$", tree.text("CITATION.cff"), re.M)[1]
+    if cited != version:
+        yield f"CITATION.cff: version {cited}, and the program's is {version}"
+    if f"## [{version}] - {date}\n" not in tree.text("CHANGELOG.md"):
+        yield f"CHANGELOG.md: no release {version} of {date}, which CITATION.cff has"
+    address = re.search(r'PACKAGE_CONTACT ".*<(.*)>"', tree.text("cmodel/package/debian.cmake"))[1]
+    for line in tree.text(".github/CODEOWNERS").splitlines():
+        if line and not line.startswith("#") and line.split()[1:] != [address]:
+            yield f".github/CODEOWNERS: {line}: the maintainers are {address}"
+
+
+def problems(tree):
+    return [p for check in (stages, twins, includes, macros, errors, links, release)
+            for p in check(tree)]
+
+
+if __name__ == "__main__":
+    here = Tree(sys.argv[1])
+    found = problems(here)
+    pages = here.match(r".*\.md")
+    print("\n".join(found) or f"tree in order: {len(STAGES)} stages, {len(pages)} pages")
+    sys.exit(1 if found else 0)

@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""check_tree_test.py ROOT: check_tree.py finds each of these faults, put into the tree one at a
+time and in memory alone. Nothing else is found."""
+import pathlib
+import sys
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import check_tree  # noqa: E402
+
+# File, what stands there, what it becomes, what is said. Without the second the whole file changes;
+# without the third it is gone.
+FAULTS = [
+    ("tests/coverage_cosim_test.cpp", None, None, "coverage_cosim_test.cpp: missing"),
+    ("rtl/checkers/hs_tile_traversal_checker.sv", None, None, "traversal_checker.sv: missing"),
+    ("rtl/hs_depth_test.sv", None, "module hs_depth_test; endmodule", "listed as lacking"),
+    ("cmodel/depth_test.hpp", "Twin: none yet in rtl/.", "", "names no twin"),
+    ("cmodel/samples.hpp", "(SAMPLE_X,", "(sample_x,", "no sample_x there"),
+    ("rtl/hs_coverage.sv", "halfspace::coverage()", "halfspace::cover()", "no cover there"),
+    ("cmodel/half_plane_grid.hpp", "hs_box_range.sv", "hs_box_mask.sv", "no such file"),
+    ("cmodel/coverage.hpp", '"packets.hpp"', '"tile_traversal.hpp"', "a stage knows no other"),
+    ("cmodel/geometry.cpp", '"fixed.hpp"', '"interpolation.hpp"', "a stage knows no other"),
+    ("cmodel/framebuffer.hpp", '"depth_test.hpp"', '"fixed.hpp"', "no longer includes depth_test"),
+    ("cmodel/fixed.cpp", "<cstdio>", "<iostream>", "no I/O"),
+    ("cmodel/hit_count.cpp", '"hit_count.hpp"', '"io/error.hpp"', "no I/O"),
+    ("cmodel/camera.hpp", "<glm/vec3.hpp>", "<hwy/highway.h>", "GLM alone"),
+    ("cmodel/snap.hpp", "#include", "#define HS_SNAP(x) x\n#include", "macro HS_SNAP"),
+    ("docs/02_use/errors.md", "## HS042", "## HS142", "is in only one"),
+    ("README.md", "(docs/02_use/fit.md)", "(docs/02_use/fits.md)", "broken link docs/02_use/fits"),
+    ("README.md", "bench.md#measured", "bench.md#times", "bench.md#times: no such heading"),
+    ("CMakeLists.txt", "VERSION 0.1.0", "VERSION 0.2.0", "0.2.0"),
+    ("CITATION.cff", "date-released: 20", "date-released: 19", "no release"),
+    (".github/CODEOWNERS", "@example.invalid", "@other.invalid", "the maintainers are"),
+]
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    failed = 0
+    for path, old, new, expected in FAULTS:
+        changed = new
+        if old is not None:
+            changed = (root / path).read_text().replace(old, new)
+        found = check_tree.problems(check_tree.Tree(root, {path: changed}))
+        if not found or not all(expected in problem for problem in found):
+            print(f"{path}: '{old}' as '{new}': not found as '{expected}', but as {found}")
+            failed += 1
+    print(f"{len(FAULTS) - failed} of {len(FAULTS)} faults found")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
