@@ -9,6 +9,7 @@
 - a macro with arguments is one of those listed
 - every error code has a section in docs/02_use/errors.md, and the other way round
 - every relative link in a Markdown file leads to a file, and to a heading of it
+- the figures that pages quote are those of the data (check_figures.py)
 - the version is the same wherever it is written, and so is the maintainers' address
 
 Each is seen failing by check_tree_test.py.
@@ -17,6 +18,10 @@ import pathlib
 import re
 import subprocess
 import sys
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import check_figures  # noqa: E402
 
 FILES = {"header": "cmodel/{}.hpp", "body": "cmodel/{}.cpp", "test": "tests/{}_test.cpp",
          "page": "docs/03_design/{}.md", "module": "rtl/hs_{}.sv",
@@ -171,7 +176,8 @@ def release(tree):
 
 
 def problems(tree):
-    return [p for check in (stages, twins, includes, macros, errors, links, release)
+    return [p for check in (stages, twins, includes, macros, errors, links, release,
+                          check_figures.problems)
             for p in check(tree)]
 
 
