@@ -90,7 +90,7 @@ struct Config {
   constexpr int constant_bits() const {
     return (has_guard_band() ? guard_bits : viewport_bits) + extent_log2() + 2 * subpixel_bits + 2;
   }
-  // E at any sample of the frame before bits are dropped, S.(s+f) px^2.
+  // Biased E at any sample of the frame before bits are dropped, S.(s+f) px^2.
   constexpr int edge_full_bits() const {
     const int fraction = subpixel_bits + position_bits();
     if (narrow_extent()) {
