@@ -2,6 +2,7 @@
 //
 // Widths derived from hs_config_pkg, and the packets between the stages. Formulas and proofs:
 // docs/03_design/config.md. s, n, k, x, q, r, f, g as there.
+// Why nothing is an array, and what else not to tidy: docs/04_develop/rtl_subset.md.
 //
 // Twins: cmodel/config.hpp (widths), cmodel/packets.hpp (packets: same fields, same order, the
 // first field in the highest bits), cmodel/samples.hpp (sample positions).
