@@ -9,20 +9,17 @@
 #include <array>
 #include <cerrno>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <map>
 #include <optional>
 #include <sstream>
 #include <system_error>
 
 #include "io/child_process.hpp"
-#include "io/config_package.hpp"
 #include "io/error.hpp"
 #include "io/escape.hpp"
 #include "io/interrupt.hpp"
 #include "io/output_file.hpp"
 #include "io/source_tree.hpp"
+#include "rtl_recipe.hpp"
 
 namespace halfspace {
 namespace {
@@ -31,123 +28,6 @@ namespace fs = std::filesystem;
 
 // Verilator 4 does not read the checkers. Others than these are built with, and named.
 constexpr std::array kTested{"5.006", "5.032"};
-
-constexpr const char* kVerilate =
-    "verilator --cc --assert -O3 --x-assign unique --x-initial unique -Wno-fatal "
-    "--top-module hs_rasterizer --prefix Vrtl --Mdir .";
-
-// In the folder of the build, after Verilator: one file of what runs every clock, one of what runs
-// once, one of Verilator's own. $1 the compiler and its flags, $2 libraries.
-constexpr const char* kCompile = R"SH(
-for file in Vrtl*.cpp; do
-  case $file in
-    *Slow.cpp | *__Syms*.cpp) echo "#include \"$file\"" >> slow.cc ;;
-    *) echo "#include \"$file\"" >> fast.cc ;;
-  esac
-done
-echo '#include "rtl_object.cpp"' >> fast.cc
-$1 -O2 -c fast.cc -o fast.o & fast=$!
-{ $1 -O0 -c slow.cc -o slow.o && $1 -O1 -c runtime.cc -o runtime.o; } || { kill $fast; exit 1; }
-wait $fast
-$1 -shared fast.o slow.o runtime.o -o object.so $2
-)SH";
-
-// What a command prints; its first line, empty when it fails.
-std::string first_line_of(const std::string& command) {
-  std::FILE* pipe = ::popen(("{ " + command + "; } 2>/dev/null").c_str(), "r");
-  if (pipe == nullptr) return {};
-  std::string text;
-  std::array<char, 256> some{};
-  while (std::fgets(some.data(), some.size(), pipe) != nullptr) text += some.data();
-  return ::pclose(pipe) == 0 ? text.substr(0, text.find('\n')) : std::string();
-}
-
-std::string variable(const char* name) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? std::string() : value;
-}
-
-struct Tools {
-  std::string verilator;  // "Verilator 5.006 2023-01-22 ..."; empty: not there
-  std::string compiler;   // first line of --version
-  std::string command;    // what compiles
-};
-
-const Tools& find_tools() {
-  static const Tools found = [] {
-    Tools tools;
-    tools.verilator = first_line_of("verilator_bin --version || verilator --version");
-    tools.command = variable("CXX").empty() ? "c++" : variable("CXX");
-    tools.compiler = first_line_of(tools.command + " --version");
-    return tools;
-  }();
-  return found;
-}
-
-std::string missing(const Tools& tools) {
-  if (tools.verilator.empty()) return "Verilator is not installed (package verilator)";
-  if (tools.compiler.empty()) {
-    return fmt::format("the C++ compiler {} is not installed (package g++)", tools.command);
-  }
-  return {};
-}
-
-// Everything an object is made of, by the name it has in the folder of the build.
-using Files = std::map<std::string, std::string>;
-
-struct Recipe {
-  Files files;
-  std::string sources;  // for Verilator, in the order of compilation
-};
-
-void add_list(const fs::path& rtl, const std::string& folder, const std::string& list,
-              Recipe& recipe) {
-  std::istringstream lines(read_file((rtl / folder / list).string()));
-  for (std::string name; std::getline(lines, name);) {
-    if (name.empty()) continue;
-    const std::string path = (fs::path(folder) / name).string();
-    recipe.files["rtl/" + path] = read_file((rtl / path).string());
-    recipe.sources += " rtl/" + path;
-  }
-}
-
-Recipe read_recipe(const Config& config, const std::string& place) {
-  const fs::path tree = folder_with("testbench/rtl/rtl_object.cpp");
-  const fs::path rtl =
-      variable("HALFSPACE_RTL").empty() ? tree / "rtl" : fs::path(variable("HALFSPACE_RTL"));
-  if (tree.empty() || !fs::exists(rtl / "rtl.f")) {
-    throw Error(
-        ErrorCode::kLevel, place,
-        fmt::format("no RTL to build: {} is not there",
-                    tree.empty() ? "rtl/rtl.f around the program" : (rtl / "rtl.f").string()));
-  }
-  Recipe recipe;
-  for (const char* name : {"rtl_object.cpp", "rtl_object.h", "ports.hpp"}) {
-    recipe.files[name] = read_file((tree / "testbench/rtl" / name).string());
-  }
-  recipe.files["rtl/hs_lint.vlt"] = read_file((rtl / "hs_lint.vlt").string());
-  recipe.files["hs_config_pkg.sv"] =
-      config_package(config, "a Config; they are compared on loading");
-  recipe.sources = " rtl/hs_lint.vlt hs_config_pkg.sv";
-  add_list(rtl, "", "rtl.f", recipe);
-  add_list(rtl, "checkers", "checkers.f", recipe);
-  return recipe;
-}
-
-// FNV-1a, 64 bits.
-std::uint64_t hash_of(const Recipe& recipe, const Tools& tools) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  const auto add = [&hash](const std::string& text) {
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-    hash = (hash ^ 0xFFu) * 0x100000001b3;  // a byte that no text has: the end of this one
-  };
-  for (const auto& [name, text] : recipe.files) add(name), add(text);
-  for (const std::string& text : {recipe.sources, tools.verilator, tools.compiler, tools.command,
-                                  std::string(kVerilate), std::string(kCompile)}) {
-    add(text);
-  }
-  return hash;
-}
 
 bool can_write(const fs::path& folder) {
   std::error_code error;
@@ -256,7 +136,7 @@ std::string complaint(const fs::path& log) {
 
 class Build {
  public:
-  Build(const fs::path& object, const Recipe& recipe, const Tools& tools, bool waves)
+  Build(const fs::path& object, const RtlRecipe& recipe, const RtlTools& tools, bool waves)
       : object_(object),
         log_(fs::path(object).replace_extension(".log")),
         recipe_(recipe),
@@ -269,12 +149,12 @@ class Build {
     for (const auto& [name, text] : recipe_.files) write_text((work_.path() / name).string(), text);
     write_text(log_.string(), tools_.verilator + "\n" + tools_.compiler + "\n");
     status.show("building this RTL, once: Verilator (1/2)");
-    step(fmt::format("{}{}{}", kVerilate, waves_ ? " --trace-fst" : "", recipe_.sources));
+    step(fmt::format("{}{}{}", kVerilateCommand, waves_ ? " --trace-fst" : "", recipe_.sources));
     const fs::path include =
         fs::path(first_line_of("verilator --getenv VERILATOR_ROOT")) / "include";
     write_runtime(include);
     status.show("building this RTL, once: the C++ compiler (2/2)");
-    step("set --" + arguments(include) + kCompile);
+    step(fmt::format("set -- {}{}", arguments(include), kCompileCommands));
     std::error_code error;
     fs::rename(work_.path() / "object.so", object_, error);
     if (error) {
@@ -311,13 +191,13 @@ class Build {
         "-DVM_SC=0 -DVM_TRACE={} -DVM_TRACE_FST={} -DVM_TRACE_VCD=0 -DHS_WAVES={}",
         tools_.command, include.string(), (include / "vltstd").string(), waves_ ? 1 : 0,
         waves_ ? 1 : 0, waves_ ? 1 : 0);
-    return " " + quoted(compile) + " " + quoted(waves_ ? "-lz -pthread" : "-pthread");
+    return fmt::format("{} {}", quoted(compile), quoted(waves_ ? "-lz -pthread" : "-pthread"));
   }
 
   fs::path object_;
   fs::path log_;
-  const Recipe& recipe_;
-  const Tools& tools_;
+  const RtlRecipe& recipe_;
+  const RtlTools& tools_;
   bool waves_;
   WorkFolder work_;
   std::optional<RemovedOnInterrupt> log_removed_;
@@ -333,14 +213,14 @@ void name_untested(const std::string& verilator) {
 
 }  // namespace
 
-std::string rtl_tools_missing() { return missing(find_tools()); }
+std::string rtl_tools_missing() { return rtl_tools().missing(); }
 
 fs::path rtl_object_file(const Config& config, bool waves, const std::string& place) {
-  const Tools& tools = find_tools();
-  if (const std::string lack = missing(tools); !lack.empty()) {
+  const RtlTools& tools = rtl_tools();
+  if (const std::string lack = tools.missing(); !lack.empty()) {
     throw Error(ErrorCode::kLevel, place, "the RTL is built when it is asked for: " + lack);
   }
-  const Recipe recipe = read_recipe(config, place);
+  const RtlRecipe recipe = rtl_recipe(config, place);
   const std::uint64_t hash = hash_of(recipe, tools);
   const fs::path cache = cache_folder();
   const fs::path object =
