@@ -132,7 +132,11 @@ TEST_P(Cosim, TheTeapot) {
     stage.process(triangle, tag++, shaded);
   }
   std::vector<Triangle> triangles;
-  for (const ShadedTriangle& t : shaded) triangles.push_back(t.triangle);
+  for (const ShadedTriangle& t : shaded) {
+    // The host refuses the others.
+    if (within_extent(t.triangle, config())) triangles.push_back(t.triangle);
+  }
+  EXPECT_GT(triangles.size(), shaded.size() / 2);
   expect_identical(triangles, frame, 0.3, 7);
 }
 
