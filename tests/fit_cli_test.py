@@ -108,11 +108,8 @@ class FitCli(unittest.TestCase):
         # Tools that do nothing, and a program that says what the RTL of a full run would say.
         tools = self.out / "bin"
         tools.mkdir()
-        program = ('#!/bin/sh\\nfor last; do :; done\\n'
-                   'echo "$FAKE_STATS" > "$last"\\nexit $FAKE_STATUS')
-        fake = (f"mkdir -p build/cmodel; printf '{program}\\n' > build/cmodel/halfspace\n"
-                "chmod +x build/cmodel/halfspace")
-        for name, text in (("verilator", ""), ("yosys", "exit $FAKE_YOSYS"), ("cmake", fake)):
+        says = 'for last; do :; done\necho "$FAKE_STATS" > "$last"\nexit $FAKE_STATUS'
+        for name, text in (("verilator", ""), ("yosys", "exit $FAKE_YOSYS"), ("halfspace", says)):
             (tools / name).write_text(f"#!/bin/sh\n{text}\n")
             (tools / name).chmod(0o755)
         run = {"identical": True, "stall": 0.3, "seed": 1, "cases": 1, "cases_skipped": 0,
@@ -121,7 +118,7 @@ class FitCli(unittest.TestCase):
                                                    (True, 0, 1, 2)):
             env = {**os.environ, "PATH": f"{tools}:{os.environ['PATH']}", "FAKE_YOSYS": str(yosys),
                    "FAKE_STATS": json.dumps({**run, "identical": identical}),
-                   "FAKE_STATUS": str(status)}
+                   "FAKE_STATUS": str(status), "HALFSPACE": str(tools / "halfspace")}
             done = subprocess.run([PROGRAM, "fit", TEAPOT, "--size", "160x120", "--emit-rtl",
                                    self.out / "rtl", "--report", self.out / "report", "--cosim"],
                                   env=env, capture_output=True, text=True, timeout=300)
