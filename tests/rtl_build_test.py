@@ -24,6 +24,8 @@ class RtlBuild(Program):
         (self.out / "c.json").write_text(json.dumps(SMALL))
         self.cache = self.out / "cache"
         self.environment = {**os.environ, "HALFSPACE_RTL_CACHE": str(self.cache)}
+        if shutil.which("ccache"):
+            self.environment["CXX"] = "ccache c++"  # Verilator's own part is the same for all
 
     def cosim(self, **changes):
         return self.run_program(*TEAPOT, environment={**self.environment, **changes})
@@ -39,7 +41,7 @@ class RtlBuild(Program):
         """A PATH with every program of today's but these."""
         folder = self.out / "bin"
         folder.mkdir()
-        for name in ("sh", "rm", "c++", "verilator", "verilator_bin", "cat"):
+        for name in ("sh", "rm", "c++", "ccache", "verilator", "verilator_bin", "cat"):
             found = shutil.which(name)
             if found and name not in names:
                 (folder / name).symlink_to(found)
@@ -114,7 +116,7 @@ class RtlBuild(Program):
         for name, package, hidden in (("Verilator", "verilator", ("verilator", "verilator_bin")),
                                       ("c++", "g++", ("c++",))):
             shutil.rmtree(self.out / "bin", ignore_errors=True)
-            done = self.cosim(PATH=self.path_without(*hidden))
+            done = self.cosim(PATH=self.path_without(*hidden), CXX="c++")
             self.assertEqual(done.returncode, 2, name)
             self.assertRegex(done.stderr, r"\Ahalfspace: error\[HS040\]: [^\n]+\n\Z")
             self.assertIn(f"{name} is not installed (package {package})", done.stderr)

@@ -22,6 +22,11 @@ sys.path.insert(0, str(ROOT / "testbench/synth"))
 from rtl_sources import RTL
 
 PROGRAM = os.environ["MUTANT_RUN"]
+# Verilator's own part is the same for all.
+COMPILER = "ccache c++" if shutil.which("ccache") else "c++"
+
+# Fields of a node that a level hands on as they are; a difference must be named by the field.
+PASSED_ON = ("slope1.b", "box.y_last", "corner2.inset")
 
 # What goes wrong, the file, the text and what replaces it. A text occurs exactly once.
 MUTANTS = [
@@ -60,13 +65,17 @@ MUTANTS = [
      "ready[3] = !valid_q[3] || !live3 || ready[4];", "ready[3] = !valid_q[3] || ready[4];"),
     ("empty tiles leave", "hs_coverage.sv",
      "assign covered4   = |coverage4_q.mask;", "assign covered4   = 1'b1;"),
+    *((f"a bit of {field} flips on its way down", "hs_tile_traversal.sv",
+       "    node_o.node.e0 = e0;",
+       f"    node_o.node.e0 = e0;\n    node_o.{field}[0] = !node5_q.{field}[0];")
+      for field in PASSED_ON),
 ]
 
 
 def outcome(rtl, cache):
     """(passed, the line that says what was found)"""
     done = subprocess.run([PROGRAM], capture_output=True, text=True, timeout=600, check=False,
-                          env={**os.environ, "HALFSPACE_RTL": str(rtl),
+                          env={**os.environ, "HALFSPACE_RTL": str(rtl), "CXX": COMPILER,
                                "HALFSPACE_RTL_CACHE": str(cache)})
     text = done.stdout + done.stderr
     mismatch = re.search(r"mismatch: .*", text)
@@ -102,6 +111,9 @@ def main():
                     sys.exit("rtl_mutants: the RTL without a fault does not pass")
             else:
                 killed += not passed
+                wanted = [f"field={field} " for field in PASSED_ON if field in what]
+                if not all(part in line for part in wanted):
+                    sys.exit(f"rtl_mutants: {what}: the field is not named: {line}")
                 verdict = "SURVIVES" if passed else "found"
                 print(f"{verdict}: {what} ({file}): {line}  [{seconds:.0f} s]", flush=True)
             shutil.rmtree(folder)
