@@ -76,10 +76,12 @@ class StatusLine {
 
 // Held by whoever builds the object of that hash: a byte of one file, so that no file is left.
 class BuildLock {
+  using FileRange = struct flock;
+
  public:
   BuildLock(const fs::path& cache, std::uint64_t hash, StatusLine& status)
       : file_(::open((cache / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-    struct flock range {};
+    FileRange range{};
     range.l_type = F_WRLCK;
     range.l_whence = SEEK_SET;
     range.l_start = static_cast<off_t>(hash >> 1);

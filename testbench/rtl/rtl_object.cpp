@@ -38,8 +38,9 @@ namespace {
 using Config = Vrtl_hs_config_pkg;
 using Package = Vrtl_hs_pkg;
 
-#define HS_CONSTANT(package, name) \
-  { #name, package::name }
+constexpr hs_rtl_constant constant(const char* name, std::int64_t value) { return {name, value}; }
+
+#define HS_CONSTANT(package, name) constant(#name, package::name)
 constexpr hs_rtl_constant kConstants[] = {HS_CONSTANT(Config, SUBPIXEL_BITS),
                                           HS_CONSTANT(Config, VIEWPORT_BITS),
                                           HS_CONSTANT(Config, GUARD_BITS),
