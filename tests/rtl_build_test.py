@@ -61,6 +61,16 @@ class RtlBuild(Program):
         self.assertEqual(self.cosim().returncode, 0)
         self.assertEqual((self.cache / built[0]).stat().st_mtime_ns, before.st_mtime_ns)
 
+    def test_what_a_killed_build_left_goes(self):
+        process = self.start()
+        while not self.cached(".log") and process.poll() is None:
+            time.sleep(0.02)
+        process.kill()
+        process.communicate(timeout=60)
+        self.assertEqual(len(self.cached()), 2, "a folder and a log")
+        self.assertEqual(self.cosim().returncode, 0)
+        self.assertEqual([pathlib.Path(name).suffix for name in self.cached()], [".so"])
+
     def test_an_interrupted_build_leaves_nothing(self):
         process = self.start()
         while not self.cached(".log") and process.poll() is None:

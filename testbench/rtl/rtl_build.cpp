@@ -205,6 +205,15 @@ class Build {
   std::optional<RemovedOnInterrupt> log_removed_;
 };
 
+// What a process that was killed left of the same object; nobody else builds it now.
+void remove_remains(const fs::path& object) {
+  std::error_code ignored;
+  const std::string start = object.stem().string() + ".partial-";
+  for (const auto& entry : fs::directory_iterator(object.parent_path(), ignored)) {
+    if (entry.path().filename().string().starts_with(start)) fs::remove_all(entry.path(), ignored);
+  }
+}
+
 void name_untested(const std::string& verilator) {
   for (const char* version : kTested) {
     if (verilator.find(fmt::format("Verilator {} ", version)) != std::string::npos) return;
@@ -238,6 +247,7 @@ fs::path rtl_object_file(const Config& config, bool waves, const std::string& pl
   StatusLine status;
   const BuildLock lock(cache, hash, status);
   if (fs::exists(object)) return object;
+  remove_remains(object);
   name_untested(tools.verilator);
   Build(object, recipe, tools, waves).run(status);
   return object;
