@@ -29,7 +29,6 @@ class BitReader {
     const std::uint64_t value = unsigned_bits(bits) << (64 - bits);
     return static_cast<std::int64_t>(value) >> (64 - bits);
   }
-  void skip(int bits) { at_ -= bits; }
 
  private:
   const std::uint32_t* words_;
