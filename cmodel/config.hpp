@@ -72,6 +72,8 @@ struct Config {
   constexpr int levels() const { return (viewport_bits + grid_log2 - 1) / grid_log2; }
   // log2 of the side, in pixels, of a node at `level` (0 = root, levels() - 1 = leaf tile).
   constexpr int node_log2(int level) const { return grid_log2 * (levels() - level); }
+  // Whether register 1 of `level` (levels() - 1 = coverage) is a FIFO of two: hs_pkg::buffered().
+  constexpr bool buffered(int level) const { return (levels() - 1 - level) % 2 == 0; }
   constexpr int max_size() const { return 1 << viewport_bits; }
 
   // Vertex coordinate, S.s px.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The order of the stages, defined. Whatever else runs them in a row (cycle_model.hpp, explain.cpp,
-// the engines of batch/) must give the same, and tests compare it with this.
+// those of engines/) must give the same, and tests compare it with this.
 // Twin: rtl/hs_rasterizer.sv (triangle_setup, tile_traversal, coverage).
 #pragma once
 

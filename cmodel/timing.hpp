@@ -19,7 +19,7 @@ namespace halfspace {
 // hands. Calls must follow the packets depth first: accept, then drop_setup or enter_root; for the
 // node that entered a level, drop_node or begin_children and the children one by one, each followed
 // to its end before the next; for a tile that entered coverage, drop_tile or leave_tile.
-// Cost: a few additions a call.
+// Cost: a few additions a call. CycleTiming (engines/cycle/cycle_timing.hpp) adds shortcuts.
 class Timing {
  public:
   using Clock = std::uint64_t;
@@ -31,25 +31,24 @@ class Timing {
         beats_(static_cast<Clock>(config.setup_interval)),
         many_samples_(config.samples > 1) {
     for (int level = 0; level < levels_; ++level) {
-      level_[at(level)].buffered = (levels_ - 1 - level) % 2 == 0;
+      level_[at(level)].buffered = config.buffered(level);
     }
   }
 
   // The next triangle is accepted and goes through triangle_setup to its last register.
   Clock accept() {
     const Clock offered = next_offer_ + stalls_.gap(triangles_++);
-    const Clock accepted = std::max(offered, setup_free_[1]);
-    next_offer_ = accepted + 1;
+    accepted_ = std::max(offered, setup_free_[1]);
+    next_offer_ = accepted_ + 1;
     // Register 1 hands over one product a clock, all of them once register 2 is free.
-    Clock entered = std::max(accepted + 1, setup_free_[2]) + beats_ - 1;
+    Clock entered = std::max(accepted_ + 1, setup_free_[2]) + beats_ - 1;
     setup_free_[1] = entered;
     for (std::size_t k = 3; k <= 6; ++k) {
-      const Clock next = std::max(entered + 1, setup_free_[k]);
-      setup_free_[k - 1] = next;
-      entered = next;
+      entered = std::max(entered + 1, setup_free_[k]);
+      setup_free_[k - 1] = entered;
     }
     setup_entered_ = entered;
-    return accepted;
+    return accepted_;
   }
 
   // The accepted triangle ends in setup's last register.
@@ -57,9 +56,8 @@ class Timing {
 
   // The accepted triangle leaves setup for level 0.
   Clock enter_root() {
-    const Clock entered = enter(0, setup_entered_);
-    setup_free_[6] = entered;
-    return entered;
+    setup_free_[6] = enter(level_[0], setup_entered_);
+    return setup_free_[6];
   }
 
   // The node that last entered `level` has no live child.
@@ -71,8 +69,7 @@ class Timing {
   // The node that last entered `level` starts to hand down children.
   void begin_children(int level) {
     Level& l = level_[at(level)];
-    const Clock entered3 = to_register3(l);
-    l.handed = std::max(entered3 + 1, l.free4);
+    l.handed = std::max(to_register3(l) + 1, l.free4);
     l.free3 = l.handed;
   }
 
@@ -81,16 +78,14 @@ class Timing {
     Level& l = level_[at(level)];
     l.handed = std::max(l.handed + 1, l.free5);
     if (last) l.free4 = l.handed;
-    l.free5 = enter(level + 1, l.handed);
+    l.free5 = enter(level_[at(level + 1)], l.handed);
     return l.free5;
   }
 
   // The tile that last entered coverage holds no covered sample.
   void drop_tile() { coverage_free4_ = to_register4() + 1; }
 
-  // Whether the first register of `level` is a FIFO of two, and when the last packet but the one
-  // that is in it left it.
-  bool buffered(int level) const { return level_[at(level)].buffered; }
+  // When the last packet but the one that is in it left the first register of `level`.
   Clock left(int level) const { return level_[at(level)].left; }
 
   // It is taken by the sink.
@@ -99,7 +94,7 @@ class Timing {
     return coverage_free4_;
   }
 
- private:
+ protected:
   struct Level {
     bool buffered = false;  // register 1 is a two-entry FIFO
     Clock entered = 0;      // the last packet's edge into register 1
@@ -112,38 +107,27 @@ class Timing {
   static constexpr std::size_t at(int level) { return static_cast<std::size_t>(level); }
 
   // From a register entered at `from` into register 1 of a level.
-  Clock enter(int level, Clock from) {
-    Level& l = level_[at(level)];
+  static Clock enter(Level& l, Clock from) {
     l.entered = std::max(from + 1, l.buffered ? l.left_before + 1 : l.left);
     return l.entered;
   }
   // Register 1's occupant moves on to a register that is free at `free`.
-  Clock leave1(Level& l, Clock free) {
-    const Clock next = std::max(l.entered + 1, free);
+  static Clock leave1(Level& l, Clock free) {
     l.left_before = l.left;
-    l.left = next;
-    return next;
+    l.left = std::max(l.entered + 1, free);
+    return l.left;
   }
-  Clock to_register3(Level& l) {
+  static Clock to_register3(Level& l) {
     const Clock entered2 = leave1(l, l.free2);
-    const Clock entered3 = std::max(entered2 + 1, l.free3);
-    l.free2 = entered3;
-    return entered3;
+    l.free2 = std::max(entered2 + 1, l.free3);
+    return l.free2;
   }
   // Coverage: register 2 is there for more than one sample only.
   Clock to_register4() {
     Level& l = level_[at(levels_ - 1)];
-    Clock entered3 = 0;
-    if (many_samples_) {
-      const Clock entered2 = leave1(l, l.free2);
-      entered3 = std::max(entered2 + 1, l.free3);
-      l.free2 = entered3;
-    } else {
-      entered3 = leave1(l, l.free3);
-    }
-    const Clock entered4 = std::max(entered3 + 1, coverage_free4_);
-    l.free3 = entered4;
-    return entered4;
+    const Clock entered3 = many_samples_ ? to_register3(l) : leave1(l, l.free3);
+    l.free3 = std::max(entered3 + 1, coverage_free4_);
+    return l.free3;
   }
 
   Stalls stalls_;
@@ -151,6 +135,7 @@ class Timing {
   Clock beats_;
   bool many_samples_;
   std::uint64_t triangles_ = 0;
+  Clock accepted_ = 0;
   Clock next_offer_ = 0;
   std::array<Clock, 7> setup_free_{};  // [k]: when register k's last occupant left
   Clock setup_entered_ = 0;            // register 6

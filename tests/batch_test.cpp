@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Level coverage in batches: on every instruction set the masks of level bit, and so the oracle's.
-#include "batch/coverage_engine.hpp"
+#include "engines/coverage/coverage_engine.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "batch/hit_plane.hpp"
 #include "compare.hpp"
-#include "generators.hpp"
+#include "engines/coverage/hit_plane.hpp"
 #include "rasterizer.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 namespace {

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "batch/parallel_coverage.hpp"
-#include "generators.hpp"
+#include "engines/coverage/parallel_coverage.hpp"
 #include "io/tcov.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 namespace {

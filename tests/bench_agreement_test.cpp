@@ -3,7 +3,7 @@
 // The bench's figures are of equal work: whatever differs is found.
 #include <gtest/gtest.h>
 
-#include "agreement.hpp"
+#include "bench/agreement.hpp"
 
 namespace halfspace {
 namespace {

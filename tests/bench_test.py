@@ -2,16 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """halfspace bench: what its rows say, and that engines are only compared on equal work. No times."""
 import json
-import os
-import pathlib
 import re
 import subprocess
-import tempfile
+import sys
 import unittest
 
-PROGRAM = os.environ["HALFSPACE"]
-TESTS = pathlib.Path(os.environ["HALFSPACE_TESTS"])
-HAS_RTL = os.environ.get("HALFSPACE_HAS_RTL") == "ON"
+sys.dont_write_bytecode = True
+from program import HAS_RTL, PROGRAM, TESTS, Program  # noqa: E402
 
 FIELDS = {"workload": str, "engine": str, "isa": str, "threads": int, "ns_per_triangle": float,
           "mpixels_per_s": float, "tiles_per_s": float, "covered_samples": int,
@@ -20,19 +17,12 @@ FIELDS = {"workload": str, "engine": str, "isa": str, "threads": int, "ns_per_tr
 GENERATED = ("small", "medium", "large", "fullscreen", "sliver")
 
 
-class Bench(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.out = pathlib.Path(self.folder.name)
-        self.addCleanup(self.folder.cleanup)
-
-    def run_bench(self, *args, scenes=TESTS / "scenes"):
-        return subprocess.run([PROGRAM, "bench", "--scenes", scenes, *map(str, args)],
-                              capture_output=True, text=True, timeout=300)
+class Bench(Program):
+    PREFIX = ("bench", "--scenes", TESTS / "scenes")
 
     def rows(self, *args):
         file = self.out / "b.json"
-        done = self.run_bench("--out", file, *args)
+        done = self.run_program("--out", file, *args)
         self.assertEqual(done.returncode, 0, done.stderr)
         rows = json.loads(file.read_text())
         self.assertEqual(len(done.stdout.splitlines()), len(rows) + 1)
@@ -40,12 +30,7 @@ class Bench(unittest.TestCase):
 
     def refuse(self, code, *args, says=""):
         out = () if {"--out", "--mesh-out"} & set(args) else ("--out", self.out / "b.json")
-        done = self.run_bench(*out, *args)
-        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
-        self.assertRegex(done.stderr, rf"^halfspace: error\[{code}\]: [^\n]*\n\Z")
-        self.assertIn(says, done.stderr)
-        self.assertEqual(done.stdout, "")
-        self.assertEqual(list(self.out.iterdir()), [])
+        super().refuse(code, *args, *out, says=says)
 
     @classmethod
     def has_llvmpipe(cls):
@@ -113,7 +98,7 @@ class Bench(unittest.TestCase):
             self.assertEqual(len(clocks), 1, workload)
 
     def test_a_run_that_compares_nothing_fails(self):
-        done = self.run_bench("--workload", "small", "--scale", "0.001", "--engine", "cycle",
+        done = self.run_program("--workload", "small", "--scale", "0.001", "--engine", "cycle",
                               "--isa", "avx3_dl")
         # Engine cycle has no such form; on a machine without it the option itself is refused.
         self.assertIn(done.returncode, (1, 2), done.stdout)
@@ -121,7 +106,7 @@ class Bench(unittest.TestCase):
 
     def test_mesh_out_writes_the_mesh_it_times(self):
         path = self.out / "m.ply"
-        self.assertEqual(self.run_bench("--mesh-out", path, "--scale", "0.1").returncode, 0)
+        self.assertEqual(self.run_program("--mesh-out", path, "--scale", "0.1").returncode, 0)
         data = path.read_bytes()
         header = data[:data.index(b"end_header\n") + 11]
         vertices = int(re.search(rb"element vertex (\d+)", header)[1])
@@ -147,6 +132,10 @@ class Bench(unittest.TestCase):
         self.assertIn("Example: halfspace bench", text)
         self.assertIn("ns per triangle", text)
 
+    def test_a_scene_that_is_not_there(self):
+        self.PREFIX = ("bench", "--scenes", self.out / "none")
+        self.refuse("HS010", "--workload", "bunny", says="none/bunny.obj")
+
     def test_bad_options(self):
         small = ("--scale", "0.001", "--workload", "small")
         self.refuse("HS001", "--workload", "tiny", says="tiny")
@@ -158,8 +147,6 @@ class Bench(unittest.TestCase):
         self.refuse("HS001", "--workload", "small", "--scale", "nan", says="nan")
         self.refuse("HS001", *small, "--speed", "9")
         self.refuse("HS061", *small, "--isa", "avx1024", says="avx1024")
-        self.refuse("HS010", "--workload", "bunny", "--scenes", self.out / "none",
-                    says="none/bunny.obj")
         self.refuse("HS030", *small, "--out", self.out / "no" / "b.json")
         self.refuse("HS030", "--mesh-out", self.out / "no" / "m.ply", "--scale", "0.001")
         if not HAS_RTL:

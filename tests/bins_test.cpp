@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bins.hpp"
+#include "vectors/bins.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "goal.hpp"
+#include "vectors/goal.hpp"
 
 namespace halfspace {
 namespace {

@@ -5,6 +5,8 @@
 - a stage has its header, body, test and page, and in rtl/ its module, checker and cosim test;
   a stage that lacks one is listed with the reason
 - what a `Twin:` comment names exists: the file, and in it the function or constant
+- a folder includes the folders above it in ARROWS that it lists, and no others; every folder is
+  listed; CMake compiles no source of another folder, and no class stands in two files
 - a stage includes no stage but those listed, and the core no I/O, threads or library but GLM
 - a macro with arguments is one of those listed
 - every error code has a section in docs/02_use/errors.md, and the other way round
@@ -15,6 +17,7 @@
 Each is seen failing by check_tree_test.py.
 """
 import pathlib
+import posixpath
 import re
 import subprocess
 import sys
@@ -41,11 +44,41 @@ INCLUDES = {"tile_traversal": {"half_plane_grid"},  # it is made of grids
             "coverage": {"half_plane_grid"},        # and so is this
             "depth_test": {"interpolation"},        # TilePlane
             "framebuffer": {"depth_test"}}          # DepthTile
+# The folders of the house, from the ground up, and which of those above it each may include. A
+# folder never includes one below it.
+ENGINES = ("cmodel/engines/coverage", "cmodel/engines/cycle", "cmodel/engines/frame")
+ARROWS = {
+    "cmodel": (),
+    "cmodel/engines/common": ("cmodel",),
+    "cmodel/engines/coverage": ("cmodel", "cmodel/engines/common"),
+    "cmodel/engines/cycle": ("cmodel", "cmodel/engines/common"),
+    "cmodel/engines/frame": ("cmodel", "cmodel/engines/common", "cmodel/engines/coverage"),
+    "cmodel/io": ("cmodel",),
+    "cmodel/scene": ("cmodel", "cmodel/engines/frame", "cmodel/io"),
+    "cmodel/capi": ("cmodel", "cmodel/engines/cycle", "cmodel/io", "cmodel/scene"),
+    "cmodel/python": ("cmodel/capi",),
+    "testbench/oracle": (),  # shares no line with what it judges
+    "testbench/vectors": ("cmodel", "cmodel/io", "testbench/oracle"),
+    "testbench/methods": ("cmodel", "cmodel/io", "testbench/oracle", "testbench/vectors"),
+    "testbench/fit": ("cmodel", "cmodel/engines/coverage", "cmodel/engines/cycle", "cmodel/io",
+                      "cmodel/scene", "testbench/oracle"),
+    "testbench/rtl": ("cmodel", "cmodel/io", "testbench/vectors"),
+    "testbench/rtl/stage": ("cmodel", "testbench/vectors", "testbench/rtl"),
+    "testbench/bench": ("cmodel", "cmodel/engines/common", *ENGINES, "cmodel/io", "cmodel/scene",
+                        "testbench/vectors", "testbench/rtl"),
+    "testbench/lab": ("cmodel", "cmodel/engines/coverage", "cmodel/io", "cmodel/scene",
+                      "testbench/oracle", "testbench/vectors", "testbench/methods"),
+    "testbench/synth": ("cmodel", "testbench/vectors", "testbench/rtl"),
+    "testbench/dpi": (),  # a user of the installed library
+    "testbench/cli": ("cmodel", "cmodel/engines/common", *ENGINES, "cmodel/io", "cmodel/scene",
+                      "testbench/vectors", "testbench/methods", "testbench/fit", "testbench/rtl",
+                      "testbench/bench", "testbench/lab"),
+}
 NOT_IN_CORE = {"thread", "mutex", "atomic", "future", "condition_variable", "iostream", "fstream",
                "sstream", "filesystem"}
 # Macros with arguments: where a function cannot do it.
 MACROS = {"HS_CHECK": "cmodel/fixed.hpp",                      # the condition's text and line
-          "HS_UNLESS_DRAWING_ONLY": "cmodel/cli/main.cpp",     # a name that is not linked
+          "HS_UNLESS_DRAWING_ONLY": "testbench/cli/main.cpp",     # a name that is not linked
           "HS_CONSTANT": "testbench/rtl/rtl_object.cpp"}       # a name made of two
 
 
@@ -114,14 +147,53 @@ def includes(tree):
             if form == '"' and stem in STAGES and other in STAGES and (
                     other not in INCLUDES.get(stem, ()) and other != stem):
                 yield f"{path} includes {header}: a stage knows no other"
-            elif header in NOT_IN_CORE or ("/" in header or "." in header) and (
-                    form == "<" and not header.startswith("glm/")) or form == '"' and "/" in header:
+            elif header in NOT_IN_CORE or form == "<" and (
+                    "/" in header or "." in header) and not header.startswith("glm/"):
                 yield f"{path} includes {header}: the core has no I/O, no threads, GLM alone"
     for stem, others in INCLUDES.items():
         texts = "".join(tree.text(f"cmodel/{stem}.{end}") for end in ("hpp", "cpp"))
         for other in others:
             if f'"{other}.hpp"' not in texts:
                 yield f"cmodel/{stem}: no longer includes {other}.hpp, and is listed so"
+
+
+def arrows(tree):
+    sources = tree.match(r"(cmodel|testbench)/.*\.([ch]pp|[ch])")
+    have, used = set(sources), {folder: set() for folder in ARROWS}
+    for path in sources:
+        folder = path.rpartition("/")[0]
+        if folder not in ARROWS:
+            yield f"{path}: folder {folder} is not in ARROWS"
+            continue
+        for header in re.findall(r'^#include "([^"]+)"', tree.text(path), re.M):
+            places = [posixpath.normpath(f"{at}/{header}") for at in
+                      (folder, "cmodel", "testbench", "cmodel/capi")]
+            to = next((p.rpartition("/")[0] for p in places if p in have), folder)
+            used[folder].add(to)
+            if to != folder and to not in ARROWS[folder]:
+                yield f"{path} includes {header}: no arrow from {folder} to {to}"
+    folders = list(ARROWS)
+    for folder, others in ARROWS.items():
+        for other in others:
+            if folders.index(other) >= folders.index(folder):
+                yield f"ARROWS: {folder} lists {other}, which stands below it"
+            elif other not in used[folder]:
+                yield f"ARROWS: {folder} no longer includes {other}"
+    for path in tree.match(r"(cmodel|testbench|tests)/.*CMakeLists\.txt"):
+        for source in re.findall(r"\S*/\S+\.cpp\b", tree.text(path)):
+            if source.startswith("../") or source.startswith("${PROJECT_SOURCE_DIR}"):
+                yield f"{path}: compiles {source}, a source of another folder"
+
+
+def classes(tree):
+    where = {}
+    for path in tree.match(r"(cmodel|testbench)/.*\.hpp"):
+        for name in re.findall(r"^(?:class|struct) (?:alignas\(\w+\) )?(\w+)(?![\w:]*::)[^;{]*\{", tree.text(path), re.M):
+            space = re.search(r"^namespace ([\w:]+)", tree.text(path), re.M)
+            where.setdefault((space and space[1], name), set()).add(path)
+    for (space, name), paths in where.items():
+        if len(paths) > 1:
+            yield f"{' and '.join(sorted(paths))} both define {space}::{name}"
 
 
 def macros(tree):
@@ -176,7 +248,7 @@ def release(tree):
 
 
 def problems(tree):
-    return [p for check in (stages, twins, includes, macros, errors, links, release,
+    return [p for check in (stages, twins, arrows, classes, includes, macros, errors, links, release,
                           check_figures.problems)
             for p in check(tree)]
 

@@ -2,23 +2,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """The program as a user runs it: what it writes, what it says, and how it fails."""
 import json
-import os
 import pathlib
 import re
 import signal
 import struct
 import subprocess
-import tempfile
 import time
+import sys
 import unittest
 import zlib
 
-PROGRAM = os.environ["HALFSPACE"]
-TESTS = pathlib.Path(os.environ["HALFSPACE_TESTS"])
-SCENES = TESTS / "scenes"
-PUBLIC = TESTS / "data" / "public.tcov"
+sys.dont_write_bytecode = True
+from program import HAS_RTL, PROGRAM, PUBLIC, SCENES, Program  # noqa: E402
 
-HAS_RTL = os.environ.get("HALFSPACE_HAS_RTL") == "ON"
 LEVELS = ("coverage", "bit", "cycle") + (("rtl",) if HAS_RTL else ())
 
 
@@ -28,33 +24,7 @@ def png_size(path):
     return struct.unpack(">II", data[16:24])
 
 
-class Cli(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.out = pathlib.Path(self.folder.name)
-
-    def tearDown(self):
-        self.folder.cleanup()
-
-    def run_program(self, *args):
-        return subprocess.run([PROGRAM, *map(str, args)], capture_output=True, text=True,
-                              timeout=300)
-
-    def succeed(self, *args):
-        done = self.run_program(*args)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return done
-
-    def refuse(self, code, *args, says=()):
-        """One line with the code, exit status 2, and no file left behind."""
-        before = set(self.out.iterdir())
-        done = self.run_program(*args)
-        self.assertEqual(done.returncode, 2, f"{args}: {done.stderr}")
-        self.assertRegex(done.stderr, rf"\Ahalfspace: error\[{code}\]: [^\n]+\n\Z", str(args))
-        for text in ([says] if isinstance(says, str) else says):
-            self.assertIn(text, done.stderr)
-        self.assertEqual(set(self.out.iterdir()), before, "a file was left behind")
-
+class Cli(Program):
     # --- what it does -----------------------------------------------------------------------------
 
     def test_renders_every_format(self):

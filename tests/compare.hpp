@@ -18,10 +18,10 @@
 #include <vector>
 
 #include "config.hpp"
-#include "generators.hpp"
 #include "hit_count.hpp"
-#include "oracle.hpp"
+#include "oracle/oracle.hpp"
 #include "rasterizer.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "io/output_file.hpp"
-#include "rtl_configs.hpp"
+#include "rtl/rtl_configs.hpp"
 
 namespace halfspace {
 namespace {

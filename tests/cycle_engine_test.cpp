@@ -2,7 +2,7 @@
 //
 // The cycle engine against CycleModel: every packet, every clock, every count, on every instruction
 // set this machine has.
-#include "batch/cycle_engine.hpp"
+#include "engines/cycle/cycle_engine.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "cycle_model.hpp"
-#include "generators.hpp"
 #include "rtl/rtl_configs.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 namespace {

@@ -7,10 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "batch/cycle_engine.hpp"
-#include "cli/scene.hpp"
+#include "engines/cycle/cycle_engine.hpp"
 #include "fit/replay.hpp"
-#include "generators.hpp"
+#include "scene/scene.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 namespace {

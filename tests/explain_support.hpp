@@ -3,7 +3,7 @@
 
 #include "compare.hpp"
 #include "explain.hpp"
-#include "generators.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "compare.hpp"
-#include "generators.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 namespace {

@@ -3,50 +3,21 @@
 """halfspace fit as a user runs it: files, refusals, the emitted RTL."""
 import json
 import os
-import pathlib
 import re
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-PROGRAM = os.environ["HALFSPACE"]
-TESTS = pathlib.Path(os.environ["HALFSPACE_TESTS"])
-SCENES = TESTS / "scenes"
-HAS_RTL = os.environ.get("HALFSPACE_HAS_RTL") == "ON"
-TEAPOT = SCENES / "teapot.obj"
 sys.dont_write_bytecode = True
+from program import HAS_RTL, PROGRAM, SCENES, TESTS, Program  # noqa: E402
+TEAPOT = SCENES / "teapot.obj"
 sys.path.insert(0, str(TESTS.parent / "testbench/synth"))
 from tool_versions import tool
 
 
-class FitCli(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.out = pathlib.Path(self.folder.name)
-
-    def tearDown(self):
-        self.folder.cleanup()
-
-    def run_program(self, *args):
-        return subprocess.run([PROGRAM, *map(str, args)], capture_output=True, text=True,
-                              timeout=300)
-
-    def succeed(self, *args):
-        done = self.run_program(*args)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return done
-
-    def refuse(self, code, *args, says=""):
-        before = set(self.out.iterdir())
-        done = self.run_program(*args)
-        self.assertEqual(done.returncode, 2, f"{args}: {done.stderr}")
-        self.assertRegex(done.stderr, rf"\Ahalfspace: error\[{code}\]: [^\n]+\n\Z", str(args))
-        self.assertIn(says, done.stderr)
-        self.assertEqual(set(self.out.iterdir()), before, "a file was left behind")
-
+class FitCli(Program):
     def crc(self, config, *scene):
         stats = self.out / "stats.json"
         self.succeed("render", *scene, "--out", self.out / "p.png", "--stats", stats, "--config",

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "batch/coverage_engine.hpp"
-#include "batch/cycle_engine.hpp"
 #include "compare.hpp"
+#include "engines/coverage/coverage_engine.hpp"
+#include "engines/cycle/cycle_engine.hpp"
 #include "fixed.hpp"
 #include "samples.hpp"
 #include "triangle_setup.hpp"

@@ -12,7 +12,7 @@
 #include "hit_count.hpp"
 #include "io/error.hpp"
 #include "io/output_file.hpp"
-#include "oracle.hpp"
+#include "oracle/oracle.hpp"
 
 namespace halfspace {
 namespace {

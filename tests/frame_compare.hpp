@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "batch/frame_store.hpp"
+#include "engines/frame/frame_store.hpp"
 #include "framebuffer.hpp"
 #include "rasterizer.hpp"
 

@@ -2,17 +2,17 @@
 //
 // The frame engine against the plain stages: the same framebuffer, byte for byte, and the same
 // counts, on every instruction set of the machine.
-#include "batch/frame_engine.hpp"
+#include "engines/frame/frame_engine.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "batch/coverage_engine.hpp"
+#include "engines/coverage/coverage_engine.hpp"
 #include "frame_compare.hpp"
-#include "generators.hpp"
 #include "rasterizer.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 namespace {

@@ -2,17 +2,17 @@
 //
 // The frame engine's exact parts alone: reciprocals at every mantissa, divisions at every shift,
 // gradients against 128-bit division.
-#include "batch/simd/frame_kernel.hpp"
+#include "engines/frame/frame_kernel.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "batch/frame_planes.hpp"
+#include "engines/frame/frame_planes.hpp"
 #include "fixed.hpp"
-#include "generators.hpp"
 #include "interpolation.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 namespace {

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "batch/coverage_engine.hpp"
-#include "batch/frame_engine.hpp"
 #include "camera.hpp"
+#include "engines/coverage/coverage_engine.hpp"
+#include "engines/frame/frame_engine.hpp"
 #include "frame_compare.hpp"
-#include "generators.hpp"
 #include "io/mesh.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 

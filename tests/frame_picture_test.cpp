@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "batch/threads.hpp"
+#include "engines/common/threads.hpp"
 #include "frame_meshes.hpp"
 
 namespace halfspace {

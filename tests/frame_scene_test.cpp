@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "batch/threads.hpp"
+#include "engines/common/threads.hpp"
 #include "frame_meshes.hpp"
 
 namespace halfspace {

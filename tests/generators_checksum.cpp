@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "directed.hpp"
-#include "generators.hpp"
-#include "stimulus.hpp"
+#include "vectors/directed.hpp"
+#include "vectors/generators.hpp"
+#include "vectors/stimulus.hpp"
 
 namespace halfspace {
 namespace {

@@ -18,7 +18,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 GOLDEN = ROOT / "tests/data/generators.txt"
-VECTORS = ROOT / "cmodel/vectors"
+VECTORS = ROOT / "testbench/vectors"
 SOURCES = [ROOT / "tests/generators_checksum.cpp", VECTORS / "generators.cpp",
            VECTORS / "directed.cpp", VECTORS / "stimulus.cpp"]
 SKIPPED = 77
@@ -40,8 +40,8 @@ def by_other(compiler, libraries):
         return SKIPPED
     with tempfile.TemporaryDirectory() as folder:
         program = pathlib.Path(folder) / "checksum"
-        subprocess.run([path, "-std=c++20", "-ffp-contract=off", f"-I{ROOT}/cmodel", f"-I{VECTORS}",
-                        *SOURCES, *libraries, "-lfmt", "-o", program], check=True)
+        subprocess.run([path, "-std=c++20", "-ffp-contract=off", f"-I{ROOT}/cmodel",
+                        f"-I{ROOT}/testbench", *SOURCES, *libraries, "-lfmt", "-o", program], check=True)
         compare(program, compiler)
     return 0
 

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "generators.hpp"
-#include "stage.hpp"
+#include "rtl/stage/stage.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 namespace {

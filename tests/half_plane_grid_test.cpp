@@ -8,7 +8,7 @@
 
 #include "compare.hpp"
 #include "fixed.hpp"
-#include "generators.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Hits per pixel summed over batches.
-#include "batch/hit_plane.hpp"
+#include "engines/coverage/hit_plane.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "batch/coverage_engine.hpp"
+#include "engines/coverage/coverage_engine.hpp"
 
 namespace halfspace {
 namespace {

@@ -12,11 +12,11 @@
 #include <filesystem>
 #include <new>
 
-#include "batch/threads.hpp"
-#include "bumpy_torus.hpp"
+#include "bench/bumpy_torus.hpp"
 #include "cli/level_run.hpp"
-#include "cli/scene.hpp"
+#include "engines/common/threads.hpp"
 #include "rasterizer.hpp"
+#include "scene/scene.hpp"
 
 namespace {
 

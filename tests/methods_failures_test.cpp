@@ -5,11 +5,11 @@
 #include <bit>
 #include <cmath>
 
-#include "generators.hpp"
 #include "methods/clipping.hpp"
 #include "methods/implicit_line.hpp"
 #include "methods/mask_table.hpp"
 #include "methods_support.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace::methods {
 namespace {

@@ -3,9 +3,9 @@
 // How far attributes and lines are from the truth, by the bits that they are given.
 #include <cmath>
 
-#include "generators.hpp"
 #include "methods/shading.hpp"
 #include "methods_support.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace::methods {
 namespace {

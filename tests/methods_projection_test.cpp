@@ -4,10 +4,10 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "generators.hpp"
 #include "methods/clipping.hpp"
 #include "methods/projection.hpp"
 #include "methods_support.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace::methods {
 namespace {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "method_judge.hpp"
 #include "methods/arithmetic.hpp"
-#include "reproducers.hpp"
+#include "methods/method_judge.hpp"
+#include "vectors/reproducers.hpp"
 
 namespace halfspace::methods {
 

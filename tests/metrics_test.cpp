@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The fast exact hit counts against the oracle's own answer, pixel by pixel.
-#include "metrics.hpp"
+#include "oracle/metrics.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "reproducers.hpp"
+#include "vectors/reproducers.hpp"
 
 namespace halfspace::oracle {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The judge is judged: by hand, by a moved point, and by pictures a real driver drew.
-#include "oracle.hpp"
+#include "oracle/oracle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "generators.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace::oracle {
 namespace {

@@ -12,6 +12,7 @@ PROGRAM = os.environ["HALFSPACE"]
 TESTS = pathlib.Path(os.environ["HALFSPACE_TESTS"])
 SCENES = TESTS / "scenes"
 PUBLIC = TESTS / "data" / "public.tcov"
+HAS_RTL = os.environ.get("HALFSPACE_HAS_RTL") == "ON"
 
 
 def png_pixels(path):
@@ -43,6 +44,9 @@ def png_pixels(path):
 
 
 class Program(unittest.TestCase):
+    """PREFIX: what comes before the arguments of every command."""
+    PREFIX = ()
+
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.out = pathlib.Path(self.folder.name)
@@ -51,19 +55,20 @@ class Program(unittest.TestCase):
         self.folder.cleanup()
 
     def run_program(self, *args, environment=None):
-        return subprocess.run([PROGRAM, *map(str, args)], capture_output=True, text=True,
-                              timeout=300, env=environment, cwd=self.out)
+        return subprocess.run([PROGRAM, *map(str, (*self.PREFIX, *args))], capture_output=True,
+                              text=True, timeout=300, env=environment, cwd=self.out)
 
     def succeed(self, *args):
         done = self.run_program(*args)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.returncode, 0, f"{args}: {done.stdout}{done.stderr}")
         return done
 
     def refuse(self, code, *args, says="", environment=None):
-        """One line with the code, exit status 2, and no file left behind."""
+        """One line with the code and the text (or texts), exit status 2, no file left behind."""
         before = set(self.out.iterdir())
         done = self.run_program(*args, environment=environment)
         self.assertEqual(done.returncode, 2, f"{args}: {done.stderr}")
         self.assertRegex(done.stderr, rf"\Ahalfspace: error\[{code}\]: [^\n]+\n\Z", str(args))
-        self.assertIn(says, done.stderr)
+        for text in ([says] if isinstance(says, str) else says):
+            self.assertIn(text, done.stderr)
         self.assertEqual(set(self.out.iterdir()), before, "a file was left behind")

@@ -7,13 +7,13 @@
 #include <glm/mat4x4.hpp>
 
 #include "camera.hpp"
-#include "cosim.hpp"
 #include "cycle_model.hpp"
-#include "generators.hpp"
 #include "geometry.hpp"
 #include "io/mesh.hpp"
 #include "io/tcov.hpp"
-#include "rtl_configs.hpp"
+#include "rtl/cosim.hpp"
+#include "rtl/rtl_configs.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "compare.hpp"
-#include "generators.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/real_triangles.hpp"
+#include "scene/real_triangles.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "metrics.hpp"
+#include "oracle/metrics.hpp"
 
 namespace halfspace {
 namespace {

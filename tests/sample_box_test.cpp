@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "compare.hpp"
-#include "generators.hpp"
 #include "triangle_setup.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 namespace {

@@ -9,10 +9,10 @@
 #include <bit>
 #include <vector>
 
-#include "generators.hpp"
-#include "stage_run.hpp"
+#include "rtl/stage/stage_run.hpp"
 #include "tile_traversal.hpp"
 #include "triangle_setup.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 

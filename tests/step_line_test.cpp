@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "batch/step_line.hpp"
+#include "engines/common/step_line.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "batch/threads.hpp"
+#include "engines/common/threads.hpp"
 
 namespace halfspace {
 namespace {

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "batch/coverage_batch.hpp"
+#include "engines/coverage/coverage_walk.hpp"
 #include "io/error.hpp"
 
 namespace halfspace {

@@ -9,8 +9,8 @@
 
 #include "compare.hpp"
 #include "fixed.hpp"
-#include "generators.hpp"
 #include "samples.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 namespace {

@@ -10,10 +10,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "generators.hpp"
 #include "io/output_file.hpp"
-#include "rtl_configs.hpp"
-#include "rtl_trace.hpp"
+#include "rtl/rtl_configs.hpp"
+#include "rtl/rtl_trace.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "compare.hpp"
-#include "generators.hpp"
-#include "oracle.hpp"
+#include "oracle/oracle.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 namespace {

@@ -2,49 +2,22 @@
 # SPDX-License-Identifier: Apache-2.0
 """halfspace vectors as a user runs it: what it writes, what --check finds, how it fails."""
 import json
-import os
-import pathlib
 import re
-import subprocess
 import sys
-import tempfile
 import unittest
 import zlib
 
 sys.dont_write_bytecode = True
-PROGRAM = os.environ["HALFSPACE"]
-TESTS = pathlib.Path(os.environ["HALFSPACE_TESTS"])
-SCENES = TESTS / "scenes"
+from program import SCENES, TESTS, Program  # noqa: E402
+
 SETS = sorted((TESTS / "vectors").glob("*.hsv"))
 STAGES = ("rasterizer", "triangle_setup", "half_plane_grid", "tile_traversal", "coverage",
           "interpolation", "depth_test")
 PRESETS = ("tiny", "full", "d3d", "msaa4")
 
 
-class Vectors(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.out = pathlib.Path(self.folder.name)
-
-    def tearDown(self):
-        self.folder.cleanup()
-
-    def run_program(self, *args):
-        return subprocess.run([PROGRAM, "vectors", *map(str, args)], capture_output=True, text=True,
-                              timeout=300)
-
-    def succeed(self, *args):
-        done = self.run_program(*args)
-        self.assertEqual(done.returncode, 0, f"{args}: {done.stdout}{done.stderr}")
-        return done.stdout
-
-    def refuse(self, code, *args, says=""):
-        before = set(self.out.iterdir())
-        done = self.run_program(*args)
-        self.assertEqual(done.returncode, 2, f"{args}: {done.stdout}{done.stderr}")
-        self.assertRegex(done.stderr, rf"\Ahalfspace: error\[{code}\]: [^\n]+\n\Z")
-        self.assertIn(says, done.stderr)
-        self.assertEqual(set(self.out.iterdir()), before, "a file was left behind")
+class Vectors(Program):
+    PREFIX = ("vectors",)
 
     def differs(self, path, *says):
         done = self.run_program("--check", path)
@@ -64,7 +37,7 @@ class Vectors(unittest.TestCase):
     def test_every_stage_and_format_passes_its_check(self):
         for stage in STAGES:
             manifest = self.make(stage=stage, count=25)
-            said = self.succeed("--check", manifest)
+            said = self.succeed("--check", manifest).stdout
             self.assertEqual(said.count("as the model says"), 4, said)
             for name in ("v.csv", "v.jsonl", "v.hsv"):
                 self.succeed("--check", self.out / name)
@@ -102,7 +75,7 @@ class Vectors(unittest.TestCase):
         told = json.loads((self.out / "m.manifest.json").read_text())
         self.assertEqual(told["source"], {"kind": "mesh", "name": "tetrahedron.stl",
                                           "crc32": f"{zlib.crc32(cube.read_bytes()):08x}"})
-        said = self.succeed(public, "--count", 60, "--out", self.out / "t.hsv")
+        said = self.succeed(public, "--count", 60, "--out", self.out / "t.hsv").stdout
         self.assertIn("60 inputs", said)
         self.succeed("--check", self.out / "t.hsv")
 
@@ -254,7 +227,7 @@ class Vectors(unittest.TestCase):
         self.assertEqual([p.stem for p in SETS], sorted(PRESETS))
         for path in SETS:
             self.succeed("--check", path.with_suffix(".manifest.json"))
-            said = self.succeed("--bins", path)
+            said = self.succeed("--bins", path).stdout
             self.assertIn("0 missed", said)
             self.assertIn("100.00 % of the reachable ones", said)
             # The command in docs/02_use/vectors.md makes them again.

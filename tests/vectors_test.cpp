@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "io/error.hpp"
-#include "io/vectors_format.hpp"
-#include "io/vectors_meta.hpp"
-#include "packets_of.hpp"
-#include "stimulus.hpp"
-#include "vector_builder.hpp"
+#include "vectors/packets_of.hpp"
+#include "vectors/stimulus.hpp"
+#include "vectors/vector_builder.hpp"
+#include "vectors/vectors_format.hpp"
+#include "vectors/vectors_meta.hpp"
 
 namespace halfspace {
 namespace {

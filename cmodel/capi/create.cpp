@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Models and frames.
-#include "model.hpp"
+#include "files.hpp"
 
 namespace halfspace::capi {
 namespace {
@@ -59,6 +59,20 @@ hs_status hs_create_preset(const char* name, hs_model** model) {
     }
     *model = new hs_model(*preset);
     return HS_OK;
+  });
+}
+
+hs_status hs_create_json(const char* text, hs_model** model) {
+  if (model != nullptr) *model = nullptr;
+  return call([&] {
+    require_pointer(text, "text");
+    require_pointer(model, "model");
+    if constexpr (kHasFiles) {
+      *model = new hs_model(config_of_json(text));
+      return HS_OK;
+    } else {
+      return failed(HS_ERROR_UNSUPPORTED, "this build reads no JSON (HALFSPACE_CLI=OFF)");
+    }
   });
 }
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-//
-// Configurations in JSON, and scenes from files as the program draws them.
 #include <cmath>
 
-#include "../cli/scene.hpp"
 #include "../io/config_json.hpp"
-#include "model.hpp"
+#include "../scene/scene.hpp"
+#include "files.hpp"
 
 namespace halfspace::capi {
 namespace {
@@ -67,33 +65,18 @@ void draw(Frame& frame, const Config& config, const Scene& scene) {
 }
 
 }  // namespace
+
+Config config_of_json(const char* text) { return parse_config(text, "configuration"); }
+
+void draw_scene(Frame& frame, const Config& config, const char* path, const hs_camera* camera) {
+  hs_camera wanted{};
+  if (camera != nullptr) wanted = read_struct(camera, sizeof(hs_camera), "camera");
+  const Lighting lighting =
+      (wanted.flags & HS_CAMERA_FLAT_LIGHT) != 0 ? Lighting::kFlat : Lighting::kGouraud;
+  const FrameState& state = frame.state();
+  const auto scene =
+      make_mesh_scene(path, state.width, state.height, camera_options(wanted), lighting);
+  draw(frame, config, *scene);
+}
+
 }  // namespace halfspace::capi
-
-using namespace halfspace;
-using namespace halfspace::capi;
-
-hs_status hs_create_json(const char* text, hs_model** model) {
-  if (model != nullptr) *model = nullptr;
-  return call([&] {
-    require_pointer(text, "text");
-    require_pointer(model, "model");
-    *model = new hs_model(parse_config(text, "configuration"));
-    return HS_OK;
-  });
-}
-
-hs_status hs_draw_scene(hs_model* model, const char* path, const hs_camera* camera) {
-  return call([&] {
-    Frame& frame = frame_of(model);
-    require_pointer(path, "path");
-    hs_camera wanted{};
-    if (camera != nullptr) wanted = read_struct(camera, sizeof(hs_camera), "camera");
-    const Lighting lighting =
-        (wanted.flags & HS_CAMERA_FLAT_LIGHT) != 0 ? Lighting::kFlat : Lighting::kGouraud;
-    const FrameState& state = frame.state();
-    const auto scene =
-        make_mesh_scene(path, state.width, state.height, camera_options(wanted), lighting);
-    draw(frame, model->config, *scene);
-    return HS_OK;
-  });
-}

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "../batch/cycle_engine.hpp"
+#include "../engines/cycle/cycle_engine.hpp"
 #include "../geometry.hpp"
 #include "halfspace.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model.hpp"
+#include "files.hpp"
 
 namespace halfspace::capi {
 namespace {
@@ -184,5 +184,18 @@ hs_status hs_push_clip(hs_model* model, const hs_clip_vertex vertex[3], uint32_t
     }
     frame.draw_clip(triangle, tag);
     return HS_OK;
+  });
+}
+
+hs_status hs_draw_scene(hs_model* model, const char* path, const hs_camera* camera) {
+  return call([&] {
+    Frame& frame = frame_of(model);
+    require_pointer(path, "path");
+    if constexpr (kHasFiles) {
+      draw_scene(frame, model->config, path, camera);
+      return HS_OK;
+    } else {
+      return failed(HS_ERROR_UNSUPPORTED, "this build reads no scenes (HALFSPACE_CLI=OFF)");
+    }
   });
 }

@@ -9,13 +9,28 @@
 #include <ctime>
 
 #include "agreement.hpp"
-#include "batch/coverage_engine.hpp"
-#include "cli/progress.hpp"
+#include "engines/coverage/coverage_engine.hpp"
 #include "entry.hpp"
 #include "io/error.hpp"
+#include "scene/progress.hpp"
 
 namespace halfspace {
 namespace {
+
+#ifdef HALFSPACE_HAS_OSMESA
+constexpr bool kHasOsmesa = true;
+#else
+constexpr bool kHasOsmesa = false;
+#endif
+
+// Empty when llvmpipe can be timed, else why not.
+std::string no_llvmpipe() {
+  if constexpr (kHasOsmesa) {
+    return llvmpipe_absent();
+  } else {
+    return "this build has no llvmpipe (install libosmesa6-dev and configure again)";
+  }
+}
 
 bool has(const std::vector<std::string>& list, std::string_view word) {
   return std::find(list.begin(), list.end(), word) != list.end();
@@ -76,11 +91,11 @@ std::vector<BenchEntry> entries_of(const Workload& work, const BenchOptions& opt
   };
   add(coverage_entries(work, options));
   if (wanted(options, "rtl")) add(rtl_entries(work));
-  if (work.mesh) {
-    add(frame_entries(work, options));
-    if (wanted(options, "llvmpipe")) add(llvmpipe_frame_entries(work));
-  } else if (wanted(options, "llvmpipe")) {
-    add(llvmpipe_coverage_entries(work));
+  if (work.mesh) add(frame_entries(work, options));
+  if constexpr (kHasOsmesa) {
+    if (wanted(options, "llvmpipe")) {
+      add(work.mesh ? llvmpipe_frame_entries(work) : llvmpipe_coverage_entries(work));
+    }
   }
   return out;
 }

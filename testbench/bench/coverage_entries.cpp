@@ -2,9 +2,9 @@
 #include <memory>
 #include <span>
 
-#include "batch/coverage_engine.hpp"
-#include "batch/cycle_engine.hpp"
-#include "batch/parallel_coverage.hpp"
+#include "engines/coverage/coverage_engine.hpp"
+#include "engines/coverage/parallel_coverage.hpp"
+#include "engines/cycle/cycle_engine.hpp"
 #include "entry.hpp"
 #include "scalar_loop.hpp"
 

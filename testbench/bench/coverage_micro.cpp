@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "batch/coverage_engine.hpp"
-#include "batch/hit_plane.hpp"
-#include "generators.hpp"
+#include "engines/coverage/coverage_engine.hpp"
+#include "engines/coverage/hit_plane.hpp"
+#include "vectors/generators.hpp"
 #include "workload.hpp"
 
 namespace halfspace {

@@ -70,11 +70,12 @@ bool has_rtl();
 // Builds it if need be. Throws Error(kLevel) where it cannot be built.
 void build_bench_rtl();
 
-// Mesa's llvmpipe through OSMesa on the same triangles, or the same mesh; nothing when it is not
-// there. One thread, all of its work in the calling one.
+// Mesa's llvmpipe through OSMesa on the same triangles, or the same mesh; nothing when the library
+// does not open. One thread, all of its work in the calling one. Only in a build with OSMesa's
+// headers.
 std::vector<BenchEntry> llvmpipe_coverage_entries(const Workload& work);
 std::vector<BenchEntry> llvmpipe_frame_entries(const Workload& work);
-// Empty when it is there, else why not.
-std::string no_llvmpipe();
+// Empty when the library opens, else why not.
+std::string llvmpipe_absent();
 
 }  // namespace halfspace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "batch/coverage_engine.hpp"
-#include "batch/frame_engine.hpp"
-#include "batch/threads.hpp"
+#include "engines/common/threads.hpp"
+#include "engines/coverage/coverage_engine.hpp"
+#include "engines/frame/frame_engine.hpp"
 #include "entry.hpp"
 #include "rasterizer.hpp"
 

@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "batch/coverage_engine.hpp"
-#include "batch/cycle_engine.hpp"
+#include "engines/coverage/coverage_engine.hpp"
+#include "engines/cycle/cycle_engine.hpp"
 #include "entry.hpp"
 #include "workload.hpp"
 

@@ -199,14 +199,14 @@ class FrameScene {
 
 template <class Scene>
 std::vector<BenchEntry> entries(const Workload& work, const char* name) {
-  if (!no_llvmpipe().empty()) return {};
+  if (!llvmpipe_absent().empty()) return {};
   const auto scene = std::make_shared<Scene>(work);
   return {{llvmpipe_row(name), [scene] { scene->run(); }, [scene] { return scene->count(); }}};
 }
 
 }  // namespace
 
-std::string no_llvmpipe() {
+std::string llvmpipe_absent() {
   std::string why;
   osmesa(why);
   return why;

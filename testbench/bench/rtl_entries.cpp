@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "cosim.hpp"
 #include "entry.hpp"
-#include "rtl_build.hpp"
+#include "rtl/cosim.hpp"
+#include "rtl/rtl_build.hpp"
 
 namespace halfspace {
 

@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "bumpy_torus.hpp"
-#include "cli/vertex_shader.hpp"
-#include "generators.hpp"
+#include "scene/vertex_shader.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 namespace {

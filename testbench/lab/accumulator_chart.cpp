@@ -5,7 +5,7 @@
 
 #include "charts.hpp"
 #include "fixed.hpp"
-#include "generators.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace::lab {
 namespace {

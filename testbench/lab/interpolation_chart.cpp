@@ -5,9 +5,9 @@
 
 #include "charts.hpp"
 #include "fixed.hpp"
-#include "generators.hpp"
 #include "interpolation.hpp"
 #include "rasterizer.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace::lab {
 namespace {

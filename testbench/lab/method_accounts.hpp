@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "methods/method.hpp"
-#include "oracle.hpp"
+#include "oracle/oracle.hpp"
 
 namespace halfspace::lab {
 

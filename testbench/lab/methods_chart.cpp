@@ -3,8 +3,8 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
-#include "batch/coverage_engine.hpp"
 #include "charts.hpp"
+#include "engines/coverage/coverage_engine.hpp"
 #include "suite_shapes.hpp"
 
 namespace halfspace::lab {

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/scene.hpp"
 #include "fixed.hpp"
-#include "generators.hpp"
 #include "geometry.hpp"
 #include "rasterizer.hpp"
+#include "scene/scene.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace::lab {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "config.hpp"
-#include "oracle.hpp"
+#include "oracle/oracle.hpp"
 #include "packets.hpp"
 
 namespace halfspace {

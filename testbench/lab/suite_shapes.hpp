@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "generators.hpp"
 #include "suites.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace::lab {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "methods/method.hpp"
-#include "metrics.hpp"
+#include "oracle/metrics.hpp"
 
 namespace halfspace::lab {
 

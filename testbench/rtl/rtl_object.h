@@ -2,7 +2,7 @@
  *
  * The Verilated RTL of one configuration, as a shared object that rtl_build.hpp makes and
  * rtl_rasterizer.hpp loads. Packets cross as words: packed SystemVerilog structs, 32 bits a word,
- * least significant first (cmodel/vectors/layout.hpp has their fields).
+ * least significant first (testbench/vectors/layout.hpp has their fields).
  */
 #ifndef HALFSPACE_RTL_OBJECT_H
 #define HALFSPACE_RTL_OBJECT_H

@@ -9,8 +9,8 @@
 #include <span>
 #include <stdexcept>
 
-#include "packets_of.hpp"
 #include "rtl_build.hpp"
+#include "vectors/packets_of.hpp"
 
 namespace halfspace {
 namespace {

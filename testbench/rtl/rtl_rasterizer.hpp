@@ -10,9 +10,9 @@
 
 #include "config.hpp"
 #include "io/error.hpp"
-#include "layout.hpp"
 #include "packets.hpp"
 #include "rtl_object.h"
+#include "vectors/layout.hpp"
 
 namespace halfspace {
 

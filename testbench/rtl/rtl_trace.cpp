@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "packets_of.hpp"
+#include "vectors/packets_of.hpp"
 
 namespace halfspace {
 

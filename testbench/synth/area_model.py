@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The coefficients of cmodel/fit/area_model.cpp and their error: area_model.py HALFSPACE.
+"""The coefficients of testbench/fit/area_model.cpp and their error: area_model.py HALFSPACE.
 
 Least squares of relative errors over docs/charts/fit_area.json. The error printed for each
 configuration is that of coefficients fitted to all the others. --measure synthesises the

@@ -9,8 +9,8 @@
 #include <memory>
 #include <vector>
 
-#include "cosim.hpp"
-#include "generators.hpp"
+#include "rtl/cosim.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 

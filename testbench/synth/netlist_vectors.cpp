@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "cycle_model.hpp"
-#include "generators.hpp"
-#include "layout.hpp"
+#include "vectors/generators.hpp"
+#include "vectors/layout.hpp"
 
 namespace halfspace {
 namespace {

@@ -5,7 +5,7 @@
 #include "Vstage_coverage_msaa4.h"
 #include "Vstage_coverage_samples16.h"
 #include "Vstage_coverage_tiny.h"
-#include "rtl_configs.hpp"
+#include "rtl/rtl_configs.hpp"
 #include "stage_model.hpp"
 
 namespace halfspace {

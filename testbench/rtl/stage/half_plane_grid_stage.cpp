@@ -4,7 +4,7 @@
 #include "Vstage_grid_full.h"
 #include "Vstage_grid_tiny.h"
 #include "Vstage_grid_tiny_2.h"
-#include "ports.hpp"
+#include "rtl/ports.hpp"
 #include "stage.hpp"
 
 namespace halfspace {

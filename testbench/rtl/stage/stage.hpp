@@ -7,7 +7,7 @@
 #include <span>
 
 #include "config.hpp"
-#include "layout.hpp"
+#include "vectors/layout.hpp"
 
 namespace halfspace {
 

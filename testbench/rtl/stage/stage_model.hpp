@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "ports.hpp"
+#include "rtl/ports.hpp"
 #include "stage.hpp"
 
 namespace halfspace {

@@ -122,6 +122,7 @@ StageClocks tile_traversal_clocks(const std::vector<StagePacket>& packets,
                                   const StageVariant& variant, const Stalls& stalls) {
   StageClocks clocks;
   Offers offers(stalls);
+  // The rule of timing.md once more, not Config's: this file judges the model too.
   const bool buffered = (variant.config.levels() - 1 - variant.level) % 2 == 0;
   std::uint64_t left1 = 0, left1_before = 0, free2 = 0, free3 = 0, free4 = 0, free5 = 0;
   std::size_t entered = 0;

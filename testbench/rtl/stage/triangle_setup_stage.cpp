@@ -4,7 +4,7 @@
 #include "Vstage_setup_interval3.h"
 #include "Vstage_setup_msaa4.h"
 #include "Vstage_setup_tiny.h"
-#include "rtl_configs.hpp"
+#include "rtl/rtl_configs.hpp"
 #include "stage_model.hpp"
 
 namespace halfspace {

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ladder_chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "hit_count.hpp"
+#include "io/error.hpp"
+#include "io/tcov.hpp"
+#include "level_run.hpp"
+
+namespace halfspace {
+namespace {
+
+constexpr int kRepetitions = 5;
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Measured {
+  double seconds = INFINITY;
+  RunStats stats;
+  std::uint32_t crc = 0;
+};
+
+Measured measure(Level level, const std::vector<ShadedTriangle>& triangles, const FrameState& frame,
+                 const Config& config) {
+  Measured best;
+  for (int n = 0; n < kRepetitions; ++n) {
+    RunStats stats;
+    HitCount hits(frame.width, frame.height);
+    const double start = cpu_seconds();
+    LevelRun run(level, frame, config, stats, {},
+                 [&](const CoverageTile& tile) { hits.add(tile, config); });
+    for (const ShadedTriangle& triangle : triangles) run.draw(triangle);
+    run.finish();
+    best.seconds = std::min(best.seconds, cpu_seconds() - start);
+    best.stats = stats;
+    best.crc = crc32_of(hits.count());
+  }
+  return best;
+}
+
+}  // namespace
+
+nlohmann::ordered_json ladder_chart(const SceneOptions& options) {
+  const Config config;
+  const std::unique_ptr<Scene> scene = options.open_one(config, Lighting::kGouraud);
+  const FrameState frame = scene->frame(0, config);
+  std::vector<ShadedTriangle> triangles;
+  RunStats unused;
+  scene->draw(0, frame, config, unused,
+              [&](const ShadedTriangle& triangle) { triangles.push_back(triangle); });
+
+  nlohmann::ordered_json json{{"chart", "ladder"},
+                              {"scene", options.path},
+                              {"width", frame.width},
+                              {"height", frame.height},
+                              {"triangles", triangles.size()}};
+  const Measured bit = measure(Level::kBit, triangles, frame, config);
+  const Measured cycle = measure(Level::kCycle, triangles, frame, config);
+  std::optional<Measured> rtl;
+  try {
+    require_level(Level::kRtl, config);
+    rtl = measure(Level::kRtl, triangles, frame, config);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::kLevel) throw;
+  }
+  const auto row = [&](const char* level, const Measured& m, const char* packets,
+                       const std::string& clocks) {
+    nlohmann::ordered_json one{
+        {"level", level},
+        {"coverage", m.crc == bit.crc ? "exact" : "WRONG"},
+        {"packets", packets},
+        {"clocks", clocks},
+        {"cpu_seconds", m.seconds},
+        {"mpixels_per_cpu_second",
+         1e-6 * static_cast<double>(m.stats.raster.samples_covered) / m.seconds}};
+    if (m.stats.cycles) {
+      one["cycles"] = *m.stats.cycles;
+      one["mclocks_per_cpu_second"] = 1e-6 * static_cast<double>(*m.stats.cycles) / m.seconds;
+    }
+    json["levels"].push_back(std::move(one));
+  };
+  std::string cycle_clocks = fmt::format("{}", *cycle.stats.cycles);
+  if (rtl) {
+    const auto off = static_cast<std::int64_t>(*cycle.stats.cycles - *rtl->stats.cycles);
+    cycle_clocks += fmt::format(", {} off", off);
+  }
+  row("coverage", measure(Level::kCoverage, triangles, frame, config), "no", "no");
+  row("bit", bit, "every one", "no");
+  row("cycle", cycle, "every one", cycle_clocks);
+  if (rtl) {
+    row("rtl", *rtl, "every one", fmt::format("{}", *rtl->stats.cycles));
+  } else {
+    json["levels"].push_back({{"level", "rtl"},
+                              {"coverage", "exact"},
+                              {"packets", "every one"},
+                              {"clocks", "by definition"}});
+  }
+  return json;
+}
+
+}  // namespace halfspace
