@@ -13,6 +13,7 @@
 #include "io/output_file.hpp"
 #include "io/trace.hpp"
 #include "rtl/cosim.hpp"
+#include "rtl/link.hpp"
 #include "rtl/rtl_trace.hpp"
 #include "rtl_link.hpp"
 #include "scene/progress.hpp"
@@ -86,14 +87,9 @@ nlohmann::ordered_json report(const CosimRequest& request, const Config& config,
   json["clocks_per_covered_tile"] = ratio(t.clocks, t.stats.tiles_covered);
   json["sample_test_efficiency"] = ratio(t.stats.samples_covered, t.stats.samples_tested);
   nlohmann::ordered_json use;
-  for (std::size_t link = 0; link < t.busy.size(); ++link) {
-    const std::string name = link == 0   ? "accept"
-                             : link == 1 ? "triangle_setup"
-                             : link + 1 == t.busy.size()
-                                 ? "coverage"
-                                 : fmt::format("tile_traversal[{}]", link - 2);
-    use[name] = ratio(t.busy[link], t.clocks);
-  }
+  const std::vector<Link> all = links(config);
+  for (std::size_t i = 0; i < t.busy.size(); ++i)
+    use[stage_of(all[i])] = ratio(t.busy[i], t.clocks);
   json["utilisation"] = use;
   json["model_clocks_per_second"] = static_cast<double>(t.clocks) / std::max(t.model_seconds, 1e-9);
   json["rtl_clocks_per_second"] = static_cast<double>(t.clocks) / std::max(t.rtl_seconds, 1e-9);

@@ -113,7 +113,7 @@ RtlRun run_rtl(RtlRasterizer& rtl, std::span<const Triangle> triangles, const Fr
   std::uint64_t moved = 0;
   for (std::uint64_t clock = 0;; ++clock) {
     rtl.drive(source.at(clock), stalls.ready(clock));
-    if (rtl.fires(link_output(config))) {
+    if (rtl.fires(kLinkTile)) {
       tile(rtl.coverage());
       run.clocks = clock + 1;
       moved = clock;

@@ -31,15 +31,15 @@ class Expectation {
       : triangles_(triangles),
         config_(config),
         model_(frame, config, stalls),
-        queue_(static_cast<std::size_t>(link_output(config) + 1)) {}
+        queue_(links(config).size()) {}
 
   // The next packet of a link, null when there is none left.
-  const Packet* next(int link) {
-    std::deque<Packet>& queue = queue_[static_cast<std::size_t>(link)];
+  const Packet* next(Link link) {
+    std::deque<Packet>& queue = queue_of(link);
     while (queue.empty() && done_ < triangles_.size()) run_one();
     return queue.empty() ? nullptr : &queue.front();
   }
-  void pop(int link) { queue_[static_cast<std::size_t>(link)].pop_front(); }
+  void pop(Link link) { queue_of(link).pop_front(); }
   const RasterStats& stats() const { return model_.stats(); }
   double seconds() const { return seconds_; }
 
@@ -54,15 +54,16 @@ class Expectation {
       to.push(kLinkSetup, clock, values_of(packet, to.config_));
     }
     void node(int level, std::uint64_t clock, const Node& packet) {
-      to.push(level + 1, clock, values_of(packet, triangle, to.config_));
+      to.push(link_into(level), clock, values_of(packet, triangle, to.config_));
     }
     void tile(std::uint64_t clock, const CoverageTile& packet) {
-      to.push(link_output(to.config_), clock, values_of(packet, to.config_));
+      to.push(kLinkTile, clock, values_of(packet, to.config_));
     }
   };
 
-  void push(int link, std::uint64_t clock, Values values) {
-    queue_[static_cast<std::size_t>(link)].push_back({clock, done_, std::move(values)});
+  std::deque<Packet>& queue_of(Link link) { return queue_[index_of(link, config_)]; }
+  void push(Link link, std::uint64_t clock, Values values) {
+    queue_of(link).push_back({clock, done_, std::move(values)});
   }
   void run_one() {
     const auto start = std::chrono::steady_clock::now();
@@ -74,7 +75,7 @@ class Expectation {
   std::span<const Triangle> triangles_;
   Config config_;
   CycleModel model_;
-  std::vector<std::deque<Packet>> queue_;
+  std::vector<std::deque<Packet>> queue_;  // by index_of(link)
   std::size_t done_ = 0;
   double seconds_ = 0;
 };

@@ -87,12 +87,6 @@ void compare_constants(const hs_rtl_object& object, const Config& config) {
 
 }  // namespace
 
-Layout link_layout(int link, const Config& config) {
-  if (link == kLinkAccept) return {};
-  if (link == kLinkSetup) return setup_layout(config);
-  return link == link_output(config) ? coverage_layout(config) : traversal_layout(config);
-}
-
 RtlDrift::RtlDrift(const std::string& name, std::int64_t model, std::int64_t rtl)
     : Error(ErrorCode::kRtlDrift, "rtl",
             fmt::format("the RTL has {} {}, the model {}", name, rtl, model)),
@@ -104,9 +98,7 @@ RtlRasterizer::RtlRasterizer(const Config& config, bool waves, const std::string
       triangle_layout_(triangle_layout(config)),
       object_(load(rtl_object_file(config, waves, place))) {
   compare_constants(*object_, config);
-  for (int link = 0; link <= link_output(config); ++link) {
-    layouts_.push_back(link_layout(link, config));
-  }
+  for (const Link link : links(config)) layouts_.push_back(link_layout(link, config));
   rtl_ = object_->create();
 }
 
@@ -130,16 +122,15 @@ void RtlRasterizer::drive(const Triangle* triangle, bool ready) {
   fires_ = object_->fires(rtl_);
 }
 
-Values RtlRasterizer::packet(int link) const {
-  const Layout& layout = layouts_[static_cast<std::size_t>(link)];
+Values RtlRasterizer::packet(Link link) const {
+  const std::size_t index = index_of(link, config_);
+  const Layout& layout = layouts_[index];
   PortWords words(word_count(layout));
-  object_->read(rtl_, link, words.data(), static_cast<int>(words.size()));
+  object_->read(rtl_, static_cast<int>(index), words.data(), static_cast<int>(words.size()));
   return unpack(words, layout);
 }
 
-CoverageTile RtlRasterizer::coverage() const {
-  return coverage_of(packet(link_output(config_)), config_);
-}
+CoverageTile RtlRasterizer::coverage() const { return coverage_of(packet(kLinkTile), config_); }
 
 void RtlRasterizer::clock() {
   if (object_->clock(rtl_) != 0) throw std::runtime_error("an assertion in the RTL failed");

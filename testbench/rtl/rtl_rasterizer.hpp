@@ -10,21 +10,12 @@
 
 #include "config.hpp"
 #include "io/error.hpp"
+#include "link.hpp"
 #include "packets.hpp"
 #include "rtl_object.h"
 #include "vectors/layout.hpp"
 
 namespace halfspace {
-
-// A place where packets change hands. 0: triangle accepted; 1: setup to the root level;
-// l + 1: into level l of the pyramid, l = 1 .. levels - 1 (levels - 1 is coverage);
-// levels + 1: a tile leaves coverage.
-constexpr int kLinkAccept = 0;
-constexpr int kLinkSetup = 1;
-constexpr int link_output(const Config& config) { return config.levels() + 1; }
-
-// The fields of a link's packet; none at kLinkAccept, whose packet the testbench gives.
-Layout link_layout(int link, const Config& config);
 
 // A width or count that the RTL was elaborated with is not the model's.
 class RtlDrift : public Error {
@@ -58,9 +49,9 @@ class RtlRasterizer {
 
   // After drive(): whether a packet changes hands at the coming edge, and which: the values of
   // link_layout(link).
-  bool fires(int link) const { return (fires_ >> link & 1) != 0; }
-  Values packet(int link) const;
-  CoverageTile coverage() const;  // the packet of link_output()
+  bool fires(Link link) const { return (fires_ >> index_of(link, config_) & 1) != 0; }
+  Values packet(Link link) const;
+  CoverageTile coverage() const;  // the packet of kLinkTile
 
   // The edge. Throws std::runtime_error when an assertion in the RTL fired.
   void clock();
@@ -74,7 +65,7 @@ class RtlRasterizer {
   Config config_;
   Layout frame_layout_;
   Layout triangle_layout_;
-  std::vector<Layout> layouts_;  // per link
+  std::vector<Layout> layouts_;  // by index_of(link)
   const hs_rtl_object* object_;
   hs_rtl* rtl_ = nullptr;
   std::uint64_t fires_ = 0;

@@ -13,11 +13,11 @@ void record_handshakes(const RtlRasterizer& rtl, std::uint64_t clock, TraceLog& 
     log.setup(clock, setup_of(rtl.packet(kLinkSetup)).tag);
   }
   for (int level = 1; level < log.config().levels(); ++level) {
-    if (!rtl.fires(level + 1)) continue;
-    const NodeOfTriangle packet = node_of(rtl.packet(level + 1));
+    if (!rtl.fires(link_into(level))) continue;
+    const NodeOfTriangle packet = node_of(rtl.packet(link_into(level)));
     log.node(level, clock, packet.setup.tag, packet.node);
   }
-  if (rtl.fires(link_output(log.config()))) {
+  if (rtl.fires(kLinkTile)) {
     const CoverageTile tile = rtl.coverage();
     log.tile(clock, tile.tag, tile);
   }
@@ -42,7 +42,7 @@ TraceLog trace_rtl(RtlRasterizer& rtl, std::span<const Triangle> triangles, cons
     rtl.drive(offered ? &triangle : nullptr, stalls.ready(clock));
     record_handshakes(rtl, clock, log);
     if (rtl.fires(kLinkAccept)) offer = clock + 1 + stalls.gap(++next);
-    still = rtl.fires(kLinkAccept) || rtl.fires(link_output(rtl.config())) ? 0 : still + 1;
+    still = rtl.fires(kLinkAccept) || rtl.fires(kLinkTile) ? 0 : still + 1;
     if (still > 100000) throw std::runtime_error("the RTL does not move any more");
     rtl.clock();
   }

@@ -3,15 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace halfspace {
 namespace {
-
-std::string stage_name(int link, const Config& config) {
-  if (link == kLinkAccept) return "accept";
-  if (link == kLinkSetup) return "triangle_setup";
-  if (link == link_output(config)) return "coverage";
-  return fmt::format("tile_traversal[{}]", link - 2);
-}
 
 bool clocks(const Packet* packet, bool fires, Mismatch& found) {
   found.field = "clock";
@@ -31,55 +26,53 @@ Scoreboard::Scoreboard(RtlRasterizer& rtl, Expectation& expected, const Config& 
                        CosimResult& result)
     : rtl_(rtl),
       expected_(expected),
-      config_(config),
       result_(result),
-      count_(static_cast<std::size_t>(link_output(config) + 1)) {
-  result_.busy.assign(count_.size(), 0);
-  for (int link = 0; link <= link_output(config); ++link) {
-    layouts_.push_back(link_layout(link, config));
-  }
+      links_(links(config)),
+      count_(links_.size()) {
+  result_.busy.assign(links_.size(), 0);
+  for (const Link link : links_) layouts_.push_back(link_layout(link, config));
 }
 
 bool Scoreboard::check(std::uint64_t clock) {
-  for (int link = 0; link <= link_output(config_); ++link) {
-    if (!check_link(link, clock)) return false;
+  for (std::size_t index = 0; index < links_.size(); ++index) {
+    if (!check_link(index, clock)) return false;
   }
   return true;
 }
 
 bool Scoreboard::finished() {
-  for (int link = link_output(config_); link >= 0; --link) {
-    if (expected_.next(link) != nullptr) return false;
-  }
-  return true;
+  return std::all_of(links_.rbegin(), links_.rend(),
+                     [this](Link link) { return expected_.next(link) == nullptr; });
 }
 
-bool Scoreboard::check_link(int link, std::uint64_t clock) {
+bool Scoreboard::check_link(std::size_t index, std::uint64_t clock) {
+  const Link link = links_[index];
   const Packet* packet = expected_.next(link);
   const bool fires = rtl_.fires(link);
   const bool due = packet != nullptr && packet->clock == clock;
   if (!fires && !due) return true;
   Mismatch found;
-  if (!(fires && due ? same(link, *packet, found) : clocks(packet, fires, found))) {
-    found.stage = stage_name(link, config_);
-    found.packet = count_[static_cast<std::size_t>(link)];
+  if (!(fires && due ? same(index, *packet, found) : clocks(packet, fires, found))) {
+    found.stage = stage_of(link);
+    found.packet = count_[index];
     found.clock = clock;
     if (packet != nullptr) found.triangle = packet->triangle;
     result_.mismatch = found;
     return false;
   }
-  ++count_[static_cast<std::size_t>(link)];
-  ++result_.busy[static_cast<std::size_t>(link)];
+  ++count_[index];
+  ++result_.busy[index];
   ++result_.packets_compared;
   expected_.pop(link);
   return true;
 }
 
-bool Scoreboard::same(int link, const Packet& packet, Mismatch& found) {
+bool Scoreboard::same(std::size_t index, const Packet& packet, Mismatch& found) {
+  const Link link = links_[index];
   if (link == kLinkAccept) return true;
   const Values rtl = rtl_.packet(link);
-  if (link == link_output(config_)) ++result_.tiles_compared;
-  const Layout& layout = layouts_[static_cast<std::size_t>(link)];
+  if (link == kLinkTile) ++result_.tiles_compared;
+  const Layout& layout = layouts_[index];
   for (std::size_t i = 0; i < layout.size(); ++i) {
     if (packet.values[i] == rtl[i]) continue;
     found.field = layout[i].name;

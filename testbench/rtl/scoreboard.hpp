@@ -23,15 +23,15 @@ class Scoreboard {
   bool finished();
 
  private:
-  bool check_link(int link, std::uint64_t clock);
-  bool same(int link, const Packet& packet, Mismatch& found);
+  bool check_link(std::size_t index, std::uint64_t clock);
+  bool same(std::size_t index, const Packet& packet, Mismatch& found);
 
   RtlRasterizer& rtl_;
   Expectation& expected_;
-  const Config& config_;
   CosimResult& result_;
-  std::vector<Layout> layouts_;       // per link
-  std::vector<std::uint64_t> count_;  // packets so far, per link
+  std::vector<Link> links_;
+  std::vector<Layout> layouts_;       // by place in links_
+  std::vector<std::uint64_t> count_;  // packets so far, too
 };
 
 }  // namespace halfspace
