@@ -54,7 +54,7 @@ std::string dut_text(const VectorMeta& meta) {
       frame ? ".frame_i(frame_i), " : "", in, out);
 }
 
-// Every @NAME@ of the texts above.
+// Every @NAME@ of the text.
 std::string filled(std::string text, const VectorSet& set) {
   const VectorMeta& meta = set.meta;
   const VectorCounts counts = count_records(set);
@@ -99,12 +99,12 @@ std::string filled(std::string text, const VectorSet& set) {
 
 std::vector<NamedBytes> vector_bench(const VectorSet& set) {
   std::vector<NamedBytes> files = vector_files(set, VectorFormat::kReadmemh, "vectors.hex");
-  files.push_back({"hs_vectors_tb.sv", filled(kBench, set)});
-  files.push_back({"hs_vectors_dut.sv", filled(kDut, set)});
+  files.push_back({"hs_vectors_tb.sv", filled(kBenchText, set)});
+  files.push_back({"hs_vectors_dut.sv", filled(kDutText, set)});
   files.push_back({"hs_config_pkg.sv", config_package(set.meta.config, "manifest.json beside it")});
-  files.push_back({"run_icarus.sh", filled(kIcarus, set), true});
-  files.push_back({"run_verilator.sh", filled(kVerilator, set), true});
-  files.push_back({"Makefile", filled(kMakefile, set)});
+  files.push_back({"run_icarus.sh", filled(kIcarusText, set), true});
+  files.push_back({"run_verilator.sh", filled(kVerilatorText, set), true});
+  files.push_back({"Makefile", filled(kMakefileText, set)});
   files.push_back(vector_manifest(set, files, "manifest.json"));
   return files;
 }
