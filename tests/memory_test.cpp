@@ -84,7 +84,7 @@ std::size_t drawing_bytes(double triangles, const Draw& draw) {
   return peak_bytes - before;
 }
 
-RasterStats draw_by_stages(Level level, const Scene& scene, const FrameState& frame) {
+RasterStats draw_by_stages(Fidelity level, const Scene& scene, const FrameState& frame) {
   RunStats stats;
   Rasterizer rasterizer(frame, kFull, DepthFunction::kLess, {});
   LevelRun run(
@@ -93,7 +93,7 @@ RasterStats draw_by_stages(Level level, const Scene& scene, const FrameState& fr
         rasterizer.begin(triangle, setup);
       },
       [&](const CoverageTile& tile) {
-        if (level != Level::kCoverage) rasterizer.draw_tile(tile);
+        if (level != Fidelity::kCoverage) rasterizer.draw_tile(tile);
       });
   scene.draw(0, frame, kFull, stats, [&](const ShadedTriangle& triangle) { run.draw(triangle); });
   run.finish();
@@ -116,7 +116,7 @@ void expect_no_more_for_more(const Draw& draw) {
   EXPECT_LT(many, 20e6);
 }
 
-class MemoryOf : public testing::TestWithParam<Level> {};
+class MemoryOf : public testing::TestWithParam<Fidelity> {};
 
 TEST_P(MemoryOf, DrawingTakesNoMoreForMoreTriangles) {
   expect_no_more_for_more([](const Scene& scene, const FrameState& frame) {
@@ -176,7 +176,7 @@ TEST(Memory, SeveralThreadsKeepFewRecordsOfLargeTriangles) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, MemoryOf,
-                         testing::Values(Level::kCoverage, Level::kBit, Level::kCycle));
+                         testing::Values(Fidelity::kCoverage, Fidelity::kBit, Fidelity::kCycle));
 
 }  // namespace
 }  // namespace halfspace

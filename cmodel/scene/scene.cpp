@@ -22,10 +22,10 @@
 namespace halfspace {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using WallClock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+double seconds_since(WallClock::time_point start) {
+  return std::chrono::duration<double>(WallClock::now() - start).count();
 }
 
 class MeshScene : public Scene {
@@ -54,7 +54,7 @@ class MeshScene : public Scene {
   using Scene::draw;
   void draw(std::size_t frame_index, const FrameState& frame, const Config& config, RunStats& stats,
             const TriangleSink& sink) const override {
-    const Clock::time_point start = Clock::now();
+    const WallClock::time_point start = WallClock::now();
     VertexCache vertices(shader_[frame_index]);
     GeometryStage stage(frame, config);
     std::vector<ShadedTriangle> out;
@@ -93,7 +93,7 @@ class MeshScene : public Scene {
     if (lighting_ == Lighting::kFlat || config.extent_bits != 0) {
       return Scene::draw(index, frame, config, stats, engine);
     }
-    const Clock::time_point start = Clock::now();
+    const WallClock::time_point start = WallClock::now();
     MeshPart part(shader_[index]);
     for (const auto& triangle : mesh_.triangles) {
       part.add(triangle);
@@ -177,7 +177,7 @@ class TcovScene : public Scene {
     stats.resnapped += input.resnapped;
     stats.geometry.triangles_in += input.triangles.size();
     stats.geometry.triangles_out += input.triangles.size();
-    const Clock::time_point start = Clock::now();
+    const WallClock::time_point start = WallClock::now();
     for (std::size_t i = 0; i < input.triangles.size(); ++i) {
       VertexAttributes vertex;
       vertex.depth = 1u << (config.depth_bits + kDepthFractionBits - 1);
@@ -224,7 +224,7 @@ void Scene::draw(std::size_t index, const FrameState& frame, const Config& confi
     engine.draw(waiting);
     waiting.clear();
   });
-  const Clock::time_point start = Clock::now();
+  const WallClock::time_point start = WallClock::now();
   engine.draw(waiting);
   stats.simulate_seconds += seconds_since(start);
 }

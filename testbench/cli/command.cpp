@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command.hpp"
 
-#include <fmt/format.h>
+#include <span>
 
+#include "choice.hpp"
 #include "io/config_json.hpp"
 #include "io/error.hpp"
 #include "lab_door.hpp"
@@ -10,18 +11,33 @@
 #include "rtl_link.hpp"
 
 namespace halfspace {
+namespace {
 
-Level parse_level(const std::string& name) {
-  if (name == "coverage") return Level::kCoverage;
-  if (name == "bit") return Level::kBit;
-  if (name == "cycle") return Level::kCycle;
-  if (name == "rtl") return Level::kRtl;
-  throw Error(ErrorCode::kUsage, "--level",
-              fmt::format("'{}' is not coverage, bit, cycle, rtl or auto", name));
+// None: auto.
+constexpr Choice<std::optional<Fidelity>> kLevels[] = {{"coverage", Fidelity::kCoverage},
+                                                       {"bit", Fidelity::kBit},
+                                                       {"cycle", Fidelity::kCycle},
+                                                       {"rtl", Fidelity::kRtl},
+                                                       {"auto", std::nullopt}};
+constexpr Choice<Cull> kCulls[] = {
+    {"none", Cull::kNone}, {"back", Cull::kBack}, {"front", Cull::kFront}};
+
+}  // namespace
+
+void add_level_option(Command& command, std::string& level) {
+  command
+      .add_option("--level", level,
+                  "How much is modelled; auto: coverage, with the clocks predicted")
+      ->type_name(type_name_of(std::span(kLevels)))
+      ->capture_default_str();
 }
 
-void require_level(Level level, const Config& config) {
-  if (level == Level::kRtl) require_rtl(config, "--level");
+std::optional<Fidelity> parse_level(const std::string& name) {
+  return chosen(std::span(kLevels), name, "--level");
+}
+
+void require_level(Fidelity level, const Config& config) {
+  if (level == Fidelity::kRtl) require_rtl(config, "--level");
 }
 
 const LabDoor& require_lab(const LabDoor* lab) {
@@ -49,15 +65,10 @@ Config ConfigOptions::load() const {
 
 void add_cull_option(Command& command, std::string& cull) {
   command.add_option("--cull", cull, "Faces to drop; front is counter-clockwise as seen")
-      ->type_name("none|back|front")
+      ->type_name(type_name_of(std::span(kCulls)))
       ->capture_default_str();
 }
 
-Cull parse_cull(const std::string& name) {
-  if (name == "none") return Cull::kNone;
-  if (name == "back") return Cull::kBack;
-  if (name == "front") return Cull::kFront;
-  throw Error(ErrorCode::kUsage, "--cull", fmt::format("'{}' is not none, back or front", name));
-}
+Cull parse_cull(const std::string& name) { return chosen(std::span(kCulls), name, "--cull"); }
 
 }  // namespace halfspace

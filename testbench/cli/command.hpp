@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,11 @@ struct LabDoor;
 struct RunStats;
 
 // How much is modelled. docs/01_overview/levels.md.
-enum class Level { kCoverage, kBit, kCycle, kRtl };
+enum class Fidelity { kCoverage, kBit, kCycle, kRtl };
 
-// Throws Error(kUsage) for an unknown name.
-Level parse_level(const std::string& name);
+// --level coverage|bit|cycle|rtl|auto. None: auto. Throws Error(kUsage) for an unknown name.
+void add_level_option(Command& command, std::string& level);
+std::optional<Fidelity> parse_level(const std::string& name);
 
 // --config and --samples, the same everywhere.
 struct ConfigOptions {
@@ -35,7 +37,7 @@ struct ConfigOptions {
 };
 
 // Builds the RTL if need be when the level is rtl. Throws Error(kLevel) where it cannot be built.
-void require_level(Level level, const Config& config);
+void require_level(Fidelity level, const Config& config);
 
 // --cull none|back|front.
 void add_cull_option(Command& command, std::string& cull);

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 
 #include "auto_level.hpp"
 #include "command.hpp"
@@ -18,7 +19,7 @@
 namespace halfspace {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using WallClock = std::chrono::steady_clock;
 
 struct CoverageOptions {
   std::string in;
@@ -30,16 +31,16 @@ struct CoverageOptions {
 };
 
 // The case with its hit counts computed.
-TcovCase run_case(const TcovCase& source, Level level, Cull cull, const Config& config,
+TcovCase run_case(const TcovCase& source, Fidelity level, Cull cull, const Config& config,
                   const std::string& place, RunStats& stats) {
   const TcovTriangles input = tcov_triangles(source, config, place);
   const FrameState frame{source.width, source.height, cull};
   HitCount hits(frame.width, frame.height);
   LevelRun run(level, frame, config, stats, {},
                [&](const CoverageTile& tile) { hits.add(tile, config); });
-  const Clock::time_point start = Clock::now();
+  const WallClock::time_point start = WallClock::now();
   for (const Triangle& triangle : input.triangles) run.draw({triangle, {}});
-  stats.simulate_seconds += std::chrono::duration<double>(Clock::now() - start).count();
+  stats.simulate_seconds += std::chrono::duration<double>(WallClock::now() - start).count();
   run.finish();
   stats.resnapped += input.resnapped;
   stats.geometry.triangles_in += input.triangles.size();
@@ -51,9 +52,10 @@ TcovCase run_case(const TcovCase& source, Level level, Cull cull, const Config& 
 }
 
 int run_coverage(const CoverageOptions& options) {
-  const Clock::time_point start = Clock::now();
-  const bool automatic = options.level == "auto";
-  const Level level = parse_level(automatic ? "coverage" : options.level);
+  const WallClock::time_point start = WallClock::now();
+  const std::optional<Fidelity> chosen_level = parse_level(options.level);
+  const bool automatic = !chosen_level;
+  const Fidelity level = chosen_level.value_or(Fidelity::kCoverage);
   const Cull cull = parse_cull(options.cull);
   const Config config = options.config.load();
   require_level(level, config);
@@ -85,7 +87,7 @@ int run_coverage(const CoverageOptions& options) {
   }
   OutputGroup outputs;
   write_tcov(outputs.open(options.out), results);
-  stats.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  stats.wall_seconds = std::chrono::duration<double>(WallClock::now() - start).count();
   if (!options.stats.empty()) write_stats(outputs.open(options.stats), stats, config);
   outputs.commit();
   return exit_status(stats);
@@ -100,10 +102,7 @@ Action add_coverage_command(Command& program) {
   command->add_option("IN", options->in, "TCOV file (coordinates in 1/256 px)")->required();
   command->add_option("--out", options->out, "TCOV file to write")->required();
   command->add_option("--stats", options->stats, "JSON statistics to write");
-  command
-      ->add_option("--level", options->level,
-                   "coverage, bit, cycle, rtl, or auto (coverage, with the clocks predicted)")
-      ->capture_default_str();
+  add_level_option(*command, options->level);
   add_cull_option(*command, options->cull);
   options->config.add_to(*command);
   command->footer("Example: halfspace coverage tests/data/public.tcov --out out/public.tcov");

@@ -31,8 +31,8 @@ struct Measured {
   std::uint32_t crc = 0;
 };
 
-Measured measure(Level level, const std::vector<ShadedTriangle>& triangles, const FrameState& frame,
-                 const Config& config) {
+Measured measure(Fidelity level, const std::vector<ShadedTriangle>& triangles,
+                 const FrameState& frame, const Config& config) {
   Measured best;
   for (int n = 0; n < kRepetitions; ++n) {
     RunStats stats;
@@ -65,12 +65,12 @@ nlohmann::ordered_json ladder_chart(const SceneOptions& options) {
                               {"width", frame.width},
                               {"height", frame.height},
                               {"triangles", triangles.size()}};
-  const Measured bit = measure(Level::kBit, triangles, frame, config);
-  const Measured cycle = measure(Level::kCycle, triangles, frame, config);
+  const Measured bit = measure(Fidelity::kBit, triangles, frame, config);
+  const Measured cycle = measure(Fidelity::kCycle, triangles, frame, config);
   std::optional<Measured> rtl;
   try {
-    require_level(Level::kRtl, config);
-    rtl = measure(Level::kRtl, triangles, frame, config);
+    require_level(Fidelity::kRtl, config);
+    rtl = measure(Fidelity::kRtl, triangles, frame, config);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::kLevel) throw;
   }
@@ -95,7 +95,7 @@ nlohmann::ordered_json ladder_chart(const SceneOptions& options) {
     const auto off = static_cast<std::int64_t>(*cycle.stats.cycles - *rtl->stats.cycles);
     cycle_clocks += fmt::format(", {} off", off);
   }
-  row("coverage", measure(Level::kCoverage, triangles, frame, config), "no", "no");
+  row("coverage", measure(Fidelity::kCoverage, triangles, frame, config), "no", "no");
   row("bit", bit, "every one", "no");
   row("cycle", cycle, "every one", cycle_clocks);
   if (rtl) {

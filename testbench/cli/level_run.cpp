@@ -39,7 +39,7 @@ std::vector<Triangle> positions(const std::vector<ShadedTriangle>& shaded) {
 
 }  // namespace
 
-LevelRun::LevelRun(Level level, const FrameState& frame, const Config& config, RunStats& stats,
+LevelRun::LevelRun(Fidelity level, const FrameState& frame, const Config& config, RunStats& stats,
                    Begin begin, Tile tile)
     : level_(level),
       frame_(frame),
@@ -52,13 +52,13 @@ LevelRun::LevelRun(Level level, const FrameState& frame, const Config& config, R
 
 void LevelRun::draw(const ShadedTriangle& triangle) {
   switch (level_) {
-    case Level::kBit: draw_bit(triangle); break;
-    case Level::kCoverage:
-    case Level::kCycle:
+    case Fidelity::kBit: draw_bit(triangle); break;
+    case Fidelity::kCoverage:
+    case Fidelity::kCycle:
       waiting_.push_back(triangle);
       if (waiting_.size() == kBatchTriangles) flush();
       break;
-    case Level::kRtl: waiting_.push_back(triangle); break;
+    case Fidelity::kRtl: waiting_.push_back(triangle); break;
   }
 }
 
@@ -72,7 +72,7 @@ void LevelRun::draw_bit(const ShadedTriangle& triangle) {
 }
 
 void LevelRun::flush() {
-  if (level_ == Level::kCycle) {
+  if (level_ == Fidelity::kCycle) {
     cycle_.draw(positions(waiting_), Forward{waiting_, begin_, tile_});
   } else {
     flush_coverage();
@@ -92,7 +92,7 @@ void LevelRun::flush_coverage() {
 
 void LevelRun::finish() {
   const auto start = std::chrono::steady_clock::now();
-  if (level_ == Level::kCoverage) {
+  if (level_ == Fidelity::kCoverage) {
     flush();
     count_triangles(coverage_.counts(), covered_);
     // The engine computes crossings, not tests: what it looked at is what it found.
@@ -101,12 +101,12 @@ void LevelRun::finish() {
         covered_.tiles_covered * static_cast<std::uint64_t>(config_.lanes() * config_.samples);
     stats_.raster += covered_;
   }
-  if (level_ == Level::kCycle) {
+  if (level_ == Fidelity::kCycle) {
     flush();
     stats_.raster += cycle_.stats();
     stats_.cycles = stats_.cycles.value_or(0) + cycle_.clocks();
   }
-  if (level_ == Level::kRtl) finish_rtl();
+  if (level_ == Fidelity::kRtl) finish_rtl();
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   stats_.simulate_seconds += took.count();
 }

@@ -19,8 +19,8 @@ class LevelRun {
   using Tile = std::function<void(const CoverageTile&)>;
 
   // begin: called before the tiles of each triangle that has any; may be empty. stats must outlive.
-  LevelRun(Level level, const FrameState& frame, const Config& config, RunStats& stats, Begin begin,
-           Tile tile);
+  LevelRun(Fidelity level, const FrameState& frame, const Config& config, RunStats& stats,
+           Begin begin, Tile tile);
 
   // The next triangle. Its tiles come now; at levels coverage and cycle some triangles later, at
   // level rtl in finish().
@@ -36,7 +36,7 @@ class LevelRun {
   void flush_coverage();
   void finish_rtl();
 
-  Level level_;
+  Fidelity level_;
   FrameState frame_;
   Config config_;
   RunStats& stats_;

@@ -120,10 +120,10 @@ Image method_picture(const Scene& scene, std::size_t index, const FrameState& fr
   methods::Canvas canvas = method_canvas(frame);
   const bool attributes = method.attributes && shade != "coverage";
   if (attributes) canvas.keep_attributes();
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
+  using WallClock = std::chrono::steady_clock;
+  const WallClock::time_point start = WallClock::now();
   methods::draw(method, drawing, canvas);
-  stats.simulate_seconds += std::chrono::duration<double>(Clock::now() - start).count();
+  stats.simulate_seconds += std::chrono::duration<double>(WallClock::now() - start).count();
   require_finished(method, canvas);
   const std::vector<std::uint8_t> hits = saturated(canvas.hits());
   stats.crc = crc32_of(hits, stats.crc);

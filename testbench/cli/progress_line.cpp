@@ -19,8 +19,8 @@ class ProgressLine {
       shown_ = false;
       return;
     }
-    const Clock::time_point now = Clock::now();
-    const Clock::time_point last = shown_ ? last_ : state.start;
+    const WallClock::time_point now = WallClock::now();
+    const WallClock::time_point last = shown_ ? last_ : state.start;
     if (now - last < std::chrono::milliseconds(shown_ ? 100 : 500)) return;
     last_ = now;
     shown_ = true;
@@ -34,9 +34,9 @@ class ProgressLine {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
+  using WallClock = std::chrono::steady_clock;
   bool shown_ = false;
-  Clock::time_point last_;
+  WallClock::time_point last_;
 };
 
 }  // namespace

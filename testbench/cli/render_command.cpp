@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
+#include <span>
 
 #include "auto_level.hpp"
 #include "bit_frame.hpp"
+#include "choice.hpp"
 #include "command.hpp"
 #include "io/error.hpp"
 #include "io/output_file.hpp"
@@ -24,9 +27,14 @@
 namespace halfspace {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using WallClock = std::chrono::steady_clock;
 
 enum class Shade { kFlat, kGouraud, kDepth, kCoverage, kTiles };
+constexpr Choice<Shade> kShadeNames[] = {{"gouraud", Shade::kGouraud},
+                                         {"flat", Shade::kFlat},
+                                         {"depth", Shade::kDepth},
+                                         {"coverage", Shade::kCoverage},
+                                         {"tiles", Shade::kTiles}};
 
 struct RenderOptions {
   SceneOptions scene;
@@ -43,20 +51,14 @@ struct RenderOptions {
   ConfigOptions config;
 };
 
-Shade parse_shade(const RenderOptions& options, Level level) {
-  if (level == Level::kCoverage) {
+Shade parse_shade(const RenderOptions& options, Fidelity level) {
+  if (level == Fidelity::kCoverage) {
     if (options.shade.empty() || options.shade == "coverage") return Shade::kCoverage;
     throw Error(ErrorCode::kUsage, "--shade",
                 "level coverage computes no depth, colour or tile order: only --shade coverage");
   }
-  const std::string& name = options.shade;
-  if (name.empty() || name == "gouraud") return Shade::kGouraud;
-  if (name == "flat") return Shade::kFlat;
-  if (name == "depth") return Shade::kDepth;
-  if (name == "coverage") return Shade::kCoverage;
-  if (name == "tiles") return Shade::kTiles;
-  throw Error(ErrorCode::kUsage, "--shade",
-              fmt::format("'{}' is not flat, gouraud, depth, coverage or tiles", name));
+  if (options.shade.empty()) return Shade::kGouraud;
+  return chosen(std::span(kShadeNames), options.shade, "--shade");
 }
 
 // One frame drawn: its picture, with the hit counts and the counts of work added to stats.
@@ -66,7 +68,7 @@ class FrameRun {
            RunStats& stats)
       : scene_(scene), index_(index), frame_(frame), config_(config), stats_(stats) {}
 
-  Image coverage(Level level) {
+  Image coverage(Fidelity level) {
     HitCount hits(frame_.width, frame_.height);
     LevelRun run(level, frame_, config_, stats_, {},
                  [&](const CoverageTile& tile) { hits.add(tile, config_); });
@@ -92,7 +94,7 @@ class FrameRun {
   }
 
   // By the stages one after the other.
-  Image full(Level level, const BitFrameOptions& options) {
+  Image full(Fidelity level, const BitFrameOptions& options) {
     Rasterizer rasterizer(frame_, config_, options.depth_function, options.background);
     LevelRun run(
         level, frame_, config_, stats_,
@@ -134,8 +136,8 @@ class FrameRun {
   RunStats& stats_;
 };
 
-void check_trace(const std::string& path, Level level) {
-  if (level != Level::kCycle && level != Level::kRtl) {
+void check_trace(const std::string& path, Fidelity level) {
+  if (level != Fidelity::kCycle && level != Fidelity::kRtl) {
     throw Error(ErrorCode::kLevel, "--trace", "traces need level cycle or rtl");
   }
   if (!is_trace_file(path)) {
@@ -146,7 +148,7 @@ void check_trace(const std::string& path, Level level) {
 }
 
 // The handshakes of the frame, in a run of their own.
-TraceLog level_trace(Level level, const Scene& scene, Cull cull, const Config& config) {
+TraceLog level_trace(Fidelity level, const Scene& scene, Cull cull, const Config& config) {
   if (scene.frames() > 1) {
     throw Error(ErrorCode::kUsage, "--trace",
                 fmt::format("the file has {} cases: choose one with --case", scene.frames()));
@@ -157,19 +159,20 @@ TraceLog level_trace(Level level, const Scene& scene, Cull cull, const Config& c
   std::vector<Triangle> triangles;
   scene.draw(0, frame, config, unused,
              [&](const ShadedTriangle& triangle) { triangles.push_back(triangle.triangle); });
-  return level == Level::kRtl ? trace_rtl_level(triangles, frame, config)
-                              : trace_model(triangles, frame, config, Stalls());
+  return level == Fidelity::kRtl ? trace_rtl_level(triangles, frame, config)
+                                 : trace_model(triangles, frame, config, Stalls());
 }
 
 int run_render(const RenderOptions& options, const MethodDrawing* gallery) {
-  const Clock::time_point start = Clock::now();
+  const WallClock::time_point start = WallClock::now();
   const bool by_method = !options.method.empty();
   if (by_method && gallery == nullptr) {
     throw Error(ErrorCode::kNoLab, "--method", "this program was built without the gallery");
   }
   if (by_method) gallery->require(options.method, options.shade);
-  const bool automatic = options.level == "auto";
-  const Level level = parse_level(automatic ? "coverage" : options.level);
+  const std::optional<Fidelity> chosen_level = parse_level(options.level);
+  const bool automatic = !chosen_level;
+  const Fidelity level = chosen_level.value_or(Fidelity::kCoverage);
   // A method has shades of its own; of --shade only the light matters here.
   const Shade shade = !by_method                ? parse_shade(options, level)
                       : options.shade == "flat" ? Shade::kFlat
@@ -202,13 +205,15 @@ int run_render(const RenderOptions& options, const MethodDrawing* gallery) {
     switch (shade) {
       case Shade::kCoverage: images.push_back(run.coverage(level)); break;
       case Shade::kTiles: images.push_back(run.tiles()); break;
-      default: images.push_back(level == Level::kBit ? run.bit(bit) : run.full(level, bit)); break;
+      default:
+        images.push_back(level == Fidelity::kBit ? run.bit(bit) : run.full(level, bit));
+        break;
     }
   }
   if (images.empty()) throw Error(ErrorCode::kScene, options.scene.path, "has no cases");
   OutputGroup outputs;
   write_png(outputs.open(options.out), contact_sheet(images));
-  stats.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  stats.wall_seconds = std::chrono::duration<double>(WallClock::now() - start).count();
   if (!options.stats.empty()) write_stats(outputs.open(options.stats), stats, config);
   if (!options.trace.empty()) {
     write_trace(outputs.open(options.trace), level_trace(level, *scene, cull, config));
@@ -224,15 +229,12 @@ Action add_render_command(Command& program, const MethodDrawing* gallery) {
   auto o = std::make_shared<RenderOptions>();
   o->scene.add_to(*command);
   command->add_option("--out", o->out, "PNG file to write")->required();
-  command
-      ->add_option("--level", o->level,
-                   "coverage, bit, cycle, rtl, or auto (coverage, with the clocks predicted)")
-      ->capture_default_str();
+  add_level_option(*command, o->level);
   o->config.add_to(*command);
   command->add_option("--stats", o->stats, "JSON statistics to write");
   command->add_option("--trace", o->trace, "Trace to write (levels cycle and rtl)");
-  command->add_option("--shade", o->shade,
-                      "gouraud, flat, depth, coverage (hits per pixel) or tiles (nodes tested)");
+  command->add_option("--shade", o->shade, "coverage: hits per pixel; tiles: nodes tested")
+      ->type_name(type_name_of(std::span(kShadeNames)));
   add_cull_option(*command, o->cull);
   command
       ->add_option("--simplify", o->simplify,

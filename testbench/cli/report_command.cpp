@@ -36,7 +36,7 @@ void draw_pictures(const Scene& scene, OutputFolder& folder, ReportData& data) {
   data.stats.level = "cycle";
   Rasterizer rasterizer(data.frame, data.config, DepthFunction::kLess, kBackground);
   LevelRun run(
-      Level::kCycle, data.frame, data.config, data.stats,
+      Fidelity::kCycle, data.frame, data.config, data.stats,
       [&](const ShadedTriangle& triangle, const SetupTriangle& setup) {
         rasterizer.begin(triangle, setup);
       },

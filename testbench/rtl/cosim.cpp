@@ -13,10 +13,10 @@
 namespace halfspace {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using WallClock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+double seconds_since(WallClock::time_point start) {
+  return std::chrono::duration<double>(WallClock::now() - start).count();
 }
 
 std::vector<Triangle> tagged(std::span<const Triangle> triangles) {
@@ -56,7 +56,7 @@ CosimResult cosim(RtlRasterizer& rtl, std::span<const Triangle> triangles, const
   rtl.set_frame(frame);
   TriangleSource source(stream, options.stalls, config.tag_bits);
   Scoreboard scoreboard(rtl, expected, config, result);
-  const Clock::time_point start = Clock::now();
+  const WallClock::time_point start = WallClock::now();
   std::uint64_t clock = 0;
   bool tracing = false;
   for (; !scoreboard.finished(); ++clock) {
@@ -108,7 +108,7 @@ RtlRun run_rtl(RtlRasterizer& rtl, std::span<const Triangle> triangles, const Fr
   rtl.set_frame(frame);
   const Config& config = rtl.config();
   TriangleSource source(triangles, stalls, config.tag_bits);
-  const Clock::time_point start = Clock::now();
+  const WallClock::time_point start = WallClock::now();
   RtlRun run;
   std::uint64_t moved = 0;
   for (std::uint64_t clock = 0;; ++clock) {

@@ -38,7 +38,7 @@ static_assert(std::endian::native == std::endian::little && sizeof(WorkItem) == 
 inline constexpr std::size_t kBatchRecords = kBatch * 64;
 
 // Lists the work of the batch, in the order of triangles.
-HWY_INLINE void list_work(Batch& batch) {
+HWY_INLINE void list_work(SetupBatch& batch) {
   const DU du;
   std::size_t count = 0;
   std::uint32_t* HWY_RESTRICT work = reinterpret_cast<std::uint32_t*>(batch.work);
@@ -75,7 +75,7 @@ HWY_INLINE void list_work(Batch& batch) {
 }
 
 template <bool kOne>
-HWY_INLINE void do_work(Batch& batch, std::size_t samples, RecordBuffer& buffer) {
+HWY_INLINE void do_work(SetupBatch& batch, std::size_t samples, RecordBuffer& buffer) {
   const WorkItem* item = batch.work;
   for (;; ++item) {
     Cursor cursor(buffer);
@@ -92,7 +92,7 @@ HWY_INLINE void do_work(Batch& batch, std::size_t samples, RecordBuffer& buffer)
 }
 
 // The triangles that were drawn, and where their records end.
-HWY_INLINE void list_triangles(const Batch& batch, std::uint32_t first, RecordBuffer& buffer) {
+HWY_INLINE void list_triangles(const SetupBatch& batch, std::uint32_t first, RecordBuffer& buffer) {
   std::size_t count = buffer.triangle_count;
   std::uint32_t* triangle = buffer.triangle.data();
   std::uint32_t* end = buffer.end.data();
@@ -128,7 +128,7 @@ HWY_NOINLINE std::size_t cover(const KernelFrame& frame, std::span<const Triangl
                                std::uint32_t first, std::size_t enough, RecordBuffer& buffer,
                                KernelCounts& counts) {
   const DI d;
-  Batch batch;
+  SetupBatch batch;
   Triangle padded[kBatch];
   const auto samples = static_cast<std::size_t>(frame.samples);
   std::size_t done = 0;

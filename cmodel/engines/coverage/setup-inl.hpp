@@ -16,7 +16,8 @@ namespace halfspace::simd::HWY_NAMESPACE {
 
 // Slopes and bases in double, for the lanes that need them and their neighbours.
 template <bool kOne>
-HWY_INLINE void wide_edges(const KernelFrame& frame, const Group& g, std::size_t lane, Batch& out) {
+HWY_INLINE void wide_edges(const KernelFrame& frame, const Group& g, std::size_t lane,
+                           SetupBatch& out) {
   const DD d;
   const DHalf dh;
   const DI di;
@@ -79,7 +80,7 @@ HWY_INLINE void wide_edges(const KernelFrame& frame, const Group& g, std::size_t
 // Slopes and bases in float, from edge values at the block's first sample.
 template <bool kOne>
 HWY_INLINE void narrow_edges(const KernelFrame& frame, const Group& g, const VI (&e)[3],
-                             std::size_t lane, Batch& out) {
+                             std::size_t lane, SetupBatch& out) {
   const DI d;
   const DF df;
   VF inverse[3], slope[3], chosen[kSides];
@@ -140,7 +141,7 @@ HWY_INLINE void store_bits(VI first, VI last, std::uint64_t* to) {
 // The box, and the rows of each sample.
 template <bool kOne>
 HWY_INLINE void store_boxes(const KernelFrame& frame, const Group& g, VI y_block, std::size_t lane,
-                            Batch& out) {
+                            SetupBatch& out) {
   const DI d;
   const bool wide = !hn::AllTrue(d, g.narrow);
   if (wide) {
@@ -171,7 +172,8 @@ HWY_INLINE void store_boxes(const KernelFrame& frame, const Group& g, VI y_block
 
 // The second column of windows, for groups that have one.
 template <bool kOne>
-HWY_INLINE void second_column(const KernelFrame& frame, VI last, std::size_t lane, Batch& out) {
+HWY_INLINE void second_column(const KernelFrame& frame, VI last, std::size_t lane,
+                              SetupBatch& out) {
   const DI d;
   const DU du;
   const DF df;
@@ -197,7 +199,7 @@ HWY_INLINE void second_column(const KernelFrame& frame, VI last, std::size_t lan
 // The windows of the block.
 template <bool kOne>
 HWY_INLINE void store_windows(const KernelFrame& frame, const Group& g, VI x_block, VI y_block,
-                              int window_rows_log2, std::size_t lane, Batch& out) {
+                              int window_rows_log2, std::size_t lane, SetupBatch& out) {
   const DI d;
   const DU du;
   const VI corner = hn::Or(hn::ShiftLeft<13>(y_block), hn::ShiftRight<3>(x_block));
@@ -228,7 +230,7 @@ HWY_INLINE void store_windows(const KernelFrame& frame, const Group& g, VI x_blo
 template <bool kOne>
 HWY_INLINE void setup_group(const KernelFrame& frame, const Triangle* t, int window_rows_log2,
                             std::size_t lane, VI& lowest, VI& highest, KernelCounts& counts,
-                            Batch& out) {
+                            SetupBatch& out) {
   const DI d;
   Group g;
   load_vertices(t, g);

@@ -31,7 +31,7 @@ struct WorkItem {
 };
 enum What : std::uint8_t { kWindowItem = 0, kStripItem = 1, kEndOfWork = 2 };
 
-struct alignas(64) Batch {
+struct alignas(64) SetupBatch {
   // Crossing of side e at row y of the block, in columns of the window: slope y + base (float).
   float slope[kSides][kBatch];
   float base[kMaxSamples][kSides][kColumns];

@@ -23,7 +23,7 @@ struct Sides {
   VD base[kSides];
 };
 
-HWY_INLINE Sides load_sides(const Batch& batch, std::size_t m, std::size_t lane) {
+HWY_INLINE Sides load_sides(const SetupBatch& batch, std::size_t m, std::size_t lane) {
   const DD d;
   Sides sides;
   for (std::size_t e = 0; e < kSides; ++e) {
@@ -47,7 +47,7 @@ struct StripRanges {
 // its extremes are there; the greater of two lines is least at or above the greater of their
 // leasts.
 template <bool kOne>
-HWY_INLINE void strip_ranges(const Batch& batch, std::size_t samples, std::size_t lane,
+HWY_INLINE void strip_ranges(const SetupBatch& batch, std::size_t samples, std::size_t lane,
                              std::int32_t y, std::int32_t full_y_first, std::int32_t full_y_last,
                              StripRanges& out) {
   const DD d;
@@ -110,7 +110,7 @@ struct Span {
 };
 
 // The columns of rows y .. y + 7, cut to the box's.
-HWY_INLINE Span strip_span(const Batch& batch, const Sides& sides, std::size_t lane,
+HWY_INLINE Span strip_span(const SetupBatch& batch, const Sides& sides, std::size_t lane,
                            std::int32_t y) {
   const DD d;
   const VD x_first = hn::Set(d, batch.x_first[lane]);
@@ -136,8 +136,8 @@ HWY_INLINE std::uint64_t rows_between(std::int32_t y, std::int32_t first, std::i
 // One strip: its partial tiles, in columns from which the run of full tiles is cut out, then the
 // run. The caller has made room.
 template <bool kOne>
-HWY_INLINE void strip(const Batch& batch, std::size_t samples, const Sides& side0, std::size_t lane,
-                      std::int32_t y, std::int32_t first, std::int32_t last,
+HWY_INLINE void strip(const SetupBatch& batch, std::size_t samples, const Sides& side0,
+                      std::size_t lane, std::int32_t y, std::int32_t first, std::int32_t last,
                       std::int32_t full_first, std::int32_t full, Cursor& cursor) {
   const std::size_t count = kOne ? 1 : samples;
   Span span[kOne ? 1 : kMaxSamples];
@@ -174,7 +174,7 @@ HWY_INLINE void strip(const Batch& batch, std::size_t samples, const Sides& side
 
 // All strips of the triangle in `lane`.
 template <bool kOne>
-HWY_NOINLINE void strips(const Batch& batch, std::size_t samples, std::size_t lane,
+HWY_NOINLINE void strips(const SetupBatch& batch, std::size_t samples, std::size_t lane,
                          RecordBuffer& buffer) {
   std::int32_t full_y_first = batch.row_first[0][lane];
   std::int32_t full_y_last = batch.row_last[0][lane];

@@ -31,7 +31,7 @@ inline constexpr WindowTable kWindow;
 struct Crossings {
   VF left, right;
 };
-HWY_INLINE Crossings crossings(const Batch& batch, std::size_t m, std::size_t lane,
+HWY_INLINE Crossings crossings(const SetupBatch& batch, std::size_t m, std::size_t lane,
                                std::size_t column, VF y) {
   const DF d;
   VF at[kSides];
@@ -82,7 +82,7 @@ HWY_INLINE __m256i to_tiles(__m256i rows) {
 
 // One work item.
 template <bool kOne>
-HWY_INLINE void window(const Batch& batch, std::size_t samples, const WorkItem& item,
+HWY_INLINE void window(const SetupBatch& batch, std::size_t samples, const WorkItem& item,
                        Cursor& cursor) {
   const DF df;
   const DPlace dp;
