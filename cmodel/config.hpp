@@ -80,13 +80,15 @@ struct Config {
   constexpr int vertex_bits() const {
     return has_guard_band() ? guard_bits + subpixel_bits + 1 : viewport_bits + subpixel_bits + 2;
   }
+  // Whether two coordinates may differ by 2^extent_log2() px itself: hs_pkg::EXTENT_REACHED.
+  constexpr bool extent_reached() const { return !narrow_extent() && !has_guard_band(); }
   // A and B, S.s px.
   constexpr int delta_bits() const {
-    return extent_log2() + subpixel_bits + (narrow_extent() || has_guard_band() ? 1 : 2);
+    return extent_log2() + subpixel_bits + (extent_reached() ? 2 : 1);
   }
   // The doubled area, S.2s px^2.
   constexpr int area_bits() const {
-    return 2 * extent_log2() + 2 * subpixel_bits + (narrow_extent() || has_guard_band() ? 1 : 2);
+    return 2 * extent_log2() + 2 * subpixel_bits + (extent_reached() ? 2 : 1);
   }
   // C at the frame's corner, S.2s px^2.
   constexpr int constant_bits() const {
