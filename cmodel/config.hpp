@@ -30,11 +30,11 @@ struct Config {
                         // 0: no limit but the coordinates' own
   int samples = 1;      // samples per pixel: 1, 2, 4, 8, 16, standard positions
   int grid_log2 = 3;    // g: a grid is 2^g x 2^g lanes; 2 or 3
-  int setup_interval =
-      1;                // clocks between triangles in triangle_setup: 1, or 3 (multipliers shared)
-  int tag_bits = 16;    // width of the triangle tag that travels with every packet, 1..32
-  int depth_bits = 24;  // depth buffer: U0.depth_bits, 16..24
-  int attributes = 3;   // 8-bit attributes per vertex (red, green, blue first), 0..8
+  // Clocks between triangles in triangle_setup: 1, or 3 (multipliers shared).
+  int setup_interval = 1;
+  int tag_bits = 16;         // width of the triangle tag that travels with every packet, 1..32
+  int depth_bits = 24;       // depth buffer: U0.depth_bits, 16..24
+  int attributes = 3;        // 8-bit attributes per vertex (red, green, blue first), 0..8
   int inverse_w_bits = 30;   // precision of 1/w within a triangle, 12..30
   int gradient_bits = 16;    // F: fraction bits of a plane's gradient, 0..20
   int reciprocal_bits = 16;  // mantissa bits of the perspective reciprocal, 6..16
