@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compare.hpp"
+#include "extremes.hpp"
 #include "fixed.hpp"
 #include "samples.hpp"
 #include "vectors/generators.hpp"
@@ -127,23 +128,6 @@ TEST(Config, SampleTableIsTheStandardsInOrder) {
       EXPECT_EQ(mine[m].y, 16 * standard[m].y) << samples << " samples, number " << m;
     }
   }
-}
-
-// The range of one value over an enumeration.
-struct Extremes {
-  std::int64_t least = 0;
-  std::int64_t greatest = 0;
-  void see(std::int64_t value) {
-    least = std::min(least, value);
-    greatest = std::max(greatest, value);
-  }
-  bool fit(int bits) const { return fits(least, bits) && fits(greatest, bits); }
-};
-
-void expect_sharp(const Extremes& seen, int bits, const char* what, const Config& config) {
-  const std::string range = std::to_string(seen.least) + ".." + std::to_string(seen.greatest);
-  EXPECT_TRUE(seen.fit(bits)) << what << " " << range << ": " << describe(config);
-  EXPECT_FALSE(seen.fit(bits - 1)) << what << " " << range << ": " << describe(config);
 }
 
 // Every width of triangle_setup over every triangle of the widest vertices, at the frame's

@@ -10,30 +10,13 @@
 #include "compare.hpp"
 #include "engines/coverage/coverage_engine.hpp"
 #include "engines/cycle/cycle_engine.hpp"
+#include "extremes.hpp"
 #include "fixed.hpp"
 #include "samples.hpp"
 #include "triangle_setup.hpp"
 
 namespace halfspace {
 namespace {
-
-struct Extremes {
-  std::int64_t least = 0;
-  std::int64_t greatest = 0;
-  void see(std::int64_t value) {
-    least = std::min(least, value);
-    greatest = std::max(greatest, value);
-  }
-  bool fit(int bits) const { return fits(least, bits) && fits(greatest, bits); }
-};
-
-void expect_sharp(const Extremes& seen, int bits, const char* what, const Config& config) {
-  const std::string range = std::to_string(seen.least) + ".." + std::to_string(seen.greatest);
-  EXPECT_TRUE(seen.fit(bits)) << what << " " << range << ": " << describe(config)
-                              << " x=" << config.extent_bits;
-  EXPECT_FALSE(seen.fit(bits - 1))
-      << what << " " << range << ": " << describe(config) << " x=" << config.extent_bits;
-}
 
 Config narrow(int s, int n, int k, int x, int samples = 1) {
   return {.subpixel_bits = s,

@@ -11,15 +11,12 @@
 namespace halfspace {
 namespace {
 
-template <class Top, const Config& config>
-std::unique_ptr<StageRtl> make() {
-  return std::make_unique<StageModel<Top>>(config);
-}
 const std::array kVariants{
-    StageVariant{"tiny", kTiny, 0, make<Vstage_coverage_tiny, kTiny>},
-    StageVariant{"full", kFull, 0, make<Vstage_coverage_full, kFull>},
-    StageVariant{"msaa4", kMsaa4, 0, make<Vstage_coverage_msaa4, kMsaa4>},
-    StageVariant{"samples16", kTestSamples16, 0, make<Vstage_coverage_samples16, kTestSamples16>}};
+    StageVariant{"tiny", kTiny, 0, make_stage<Vstage_coverage_tiny, kTiny>},
+    StageVariant{"full", kFull, 0, make_stage<Vstage_coverage_full, kFull>},
+    StageVariant{"msaa4", kMsaa4, 0, make_stage<Vstage_coverage_msaa4, kMsaa4>},
+    StageVariant{"samples16", kTestSamples16, 0,
+                 make_stage<Vstage_coverage_samples16, kTestSamples16>}};
 
 }  // namespace
 

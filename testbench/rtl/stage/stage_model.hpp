@@ -3,6 +3,7 @@
 // Any stage's Verilated class behind StageRtl: the stages differ in the names of two ports.
 #pragma once
 
+#include <memory>
 #include <stdexcept>
 
 #include "rtl/ports.hpp"
@@ -76,5 +77,10 @@ class StageModel final : public StageRtl {
   VerilatedContext context_;
   mutable Top top_;
 };
+
+template <class Top, const Config& config>
+std::unique_ptr<StageRtl> make_stage() {
+  return std::make_unique<StageModel<Top>>(config);
+}
 
 }  // namespace halfspace

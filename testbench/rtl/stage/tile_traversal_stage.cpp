@@ -10,17 +10,13 @@
 namespace halfspace {
 namespace {
 
-template <class Top, const Config& config>
-std::unique_ptr<StageRtl> make() {
-  return std::make_unique<StageModel<Top>>(config);
-}
 // tiny: a root of two lanes a side, buffered; the last level, not buffered. msaa4: a full root, not
 // buffered; a level in the middle, buffered.
 const std::array kVariants{
-    StageVariant{"tiny", kTiny, 0, make<Vstage_traversal_tiny_0, kTiny>},
-    StageVariant{"tiny", kTiny, 3, make<Vstage_traversal_tiny_3, kTiny>},
-    StageVariant{"msaa4", kMsaa4, 0, make<Vstage_traversal_msaa4_0, kMsaa4>},
-    StageVariant{"msaa4", kMsaa4, 1, make<Vstage_traversal_msaa4_1, kMsaa4>}};
+    StageVariant{"tiny", kTiny, 0, make_stage<Vstage_traversal_tiny_0, kTiny>},
+    StageVariant{"tiny", kTiny, 3, make_stage<Vstage_traversal_tiny_3, kTiny>},
+    StageVariant{"msaa4", kMsaa4, 0, make_stage<Vstage_traversal_msaa4_0, kMsaa4>},
+    StageVariant{"msaa4", kMsaa4, 1, make_stage<Vstage_traversal_msaa4_1, kMsaa4>}};
 
 }  // namespace
 

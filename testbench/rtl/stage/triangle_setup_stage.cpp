@@ -10,14 +10,10 @@
 namespace halfspace {
 namespace {
 
-template <class Top, const Config& config>
-std::unique_ptr<StageRtl> make() {
-  return std::make_unique<StageModel<Top>>(config);
-}
-const std::array kVariants{
-    StageVariant{"tiny", kTiny, 0, make<Vstage_setup_tiny, kTiny>},
-    StageVariant{"msaa4", kMsaa4, 0, make<Vstage_setup_msaa4, kMsaa4>},
-    StageVariant{"interval3", kTestInterval3, 0, make<Vstage_setup_interval3, kTestInterval3>}};
+const std::array kVariants{StageVariant{"tiny", kTiny, 0, make_stage<Vstage_setup_tiny, kTiny>},
+                           StageVariant{"msaa4", kMsaa4, 0, make_stage<Vstage_setup_msaa4, kMsaa4>},
+                           StageVariant{"interval3", kTestInterval3, 0,
+                                        make_stage<Vstage_setup_interval3, kTestInterval3>}};
 
 }  // namespace
 
