@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/trace.hpp"
+#include "io/trace_formats.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

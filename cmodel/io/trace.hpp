@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What changed hands when: recorded from level cycle or from the RTL, written for a trace viewer.
+// What changed hands when: recorded from level cycle or from the RTL.
 // A log is the handshakes alone, so the same run leaves the same log whichever side it came from.
 #pragma once
 
 #include <bit>
 #include <cstdint>
 #include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "../config.hpp"
 #include "../packets.hpp"
 #include "../stalls.hpp"
-#include "output_file.hpp"
 
 namespace halfspace {
 
@@ -121,25 +118,5 @@ struct TracePacket {
 // together: a packet without a parent, or one that left before it can have come. Exact for 4 tag
 // bits and more.
 std::vector<std::vector<TracePacket>> trace_packets(const TraceLog& log);
-
-// Whether write_trace() knows this name's extension: .json or .kanata.gz.
-bool is_trace_file(std::string_view path);
-
-// Writes the log, in the format that the extension of its name says (is_trace_file()).
-//
-//   .json       Chrome trace events, one clock a microsecond; a track per stage with the packets
-//               in its last register. Slices of a track never overlap.
-//   .kanata.gz  Kanata 0004: an operation per triangle (stages S, T0) and per leaf tile (T1 .., C);
-//               lane 1: waiting, offered and not taken; dropped triangles and empty tiles flushed.
-//
-// Equal logs make equal bytes. Throws Error(kFileWrite).
-void write_trace(OutputFile& file, const TraceLog& log);
-
-// The model's log beside the RTL's: a.kanata.gz -> a.model.kanata.gz. path: is_trace_file().
-std::string model_trace_path(const std::string& path);
-
-// The two formats as text, before compression.
-std::string chrome_trace(const TraceLog& log);
-std::string kanata_trace(const TraceLog& log);
 
 }  // namespace halfspace

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-//
-// A log in the words of two trace viewers.
+#include "trace_formats.hpp"
+
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
-#include "trace.hpp"
+#include "error.hpp"
 
 namespace halfspace {
 namespace {
@@ -224,6 +226,40 @@ class KanataWriter {
   std::uint32_t operation_ = 0;
 };
 
+// A gzip file of one member, without name and time: equal text makes equal bytes.
+std::string compress(const std::string& text) {
+  z_stream stream{};
+  constexpr int kGzip = 15 + 16;
+  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kGzip, 8, Z_DEFAULT_STRATEGY) !=
+      Z_OK) {
+    throw Error(ErrorCode::kInternal, "zlib", "cannot start");
+  }
+  gz_header header{};  // time 0
+  header.os = 255;     // unknown, the same everywhere
+  deflateSetHeader(&stream, &header);
+  std::string out;
+  std::array<char, 1 << 16> buffer;
+  std::size_t from = 0;
+  int state = Z_OK;
+  while (state != Z_STREAM_END) {
+    if (stream.avail_in == 0) {
+      const std::size_t piece = std::min<std::size_t>(text.size() - from, 1u << 30);
+      stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data() + from));
+      stream.avail_in = static_cast<uInt>(piece);
+      from += piece;
+    }
+    stream.next_out = reinterpret_cast<Bytef*>(buffer.data());
+    stream.avail_out = static_cast<uInt>(buffer.size());
+    state = deflate(&stream, from == text.size() ? Z_FINISH : Z_NO_FLUSH);
+    out.append(buffer.data(), buffer.size() - stream.avail_out);
+  }
+  deflateEnd(&stream);
+  return out;
+}
+
+constexpr std::string_view kChrome = ".json";
+constexpr std::string_view kKanata = ".kanata.gz";
+
 }  // namespace
 
 std::string chrome_trace(const TraceLog& log) {
@@ -253,5 +289,18 @@ std::string chrome_trace(const TraceLog& log) {
 }
 
 std::string kanata_trace(const TraceLog& log) { return KanataWriter(log).run(); }
+
+bool is_trace_file(std::string_view path) {
+  return path.ends_with(kChrome) || path.ends_with(kKanata);
+}
+
+std::string model_trace_path(const std::string& path) {
+  const std::string_view extension = path.ends_with(kKanata) ? kKanata : kChrome;
+  return path.substr(0, path.size() - extension.size()) + ".model" + std::string(extension);
+}
+
+void write_trace(OutputFile& file, const TraceLog& log) {
+  file.write(file.path().ends_with(kKanata) ? compress(kanata_trace(log)) : chrome_trace(log));
+}
 
 }  // namespace halfspace

@@ -11,7 +11,7 @@
 #include "io/config_json.hpp"
 #include "io/error.hpp"
 #include "io/output_file.hpp"
-#include "io/trace.hpp"
+#include "io/trace_formats.hpp"
 #include "rtl/cosim.hpp"
 #include "rtl/link.hpp"
 #include "rtl/rtl_trace.hpp"

@@ -17,7 +17,7 @@
 #include "io/output_file.hpp"
 #include "io/png_file.hpp"
 #include "io/tcov.hpp"
-#include "io/trace.hpp"
+#include "io/trace_formats.hpp"
 #include "level_run.hpp"
 #include "number_checks.hpp"
 #include "pictures.hpp"
