@@ -104,7 +104,7 @@ Json engine_point(const Workload& work) {
   const double seconds = seconds_of([&] {
     engine.cover(triangles, [&](const CoverageChunk& chunk) { count_records(chunk, unused); });
   });
-  // Its masks are the pipeline's (tests/batch_test.cpp), so its errors are too.
+  // Its masks are the pipeline's (tests/coverage_engine_test.cpp), so its errors are too.
   const auto* same = methods::find("halfspace_s8");
   oracle::HitErrors errors;
   for (const SuiteCase& one : work.judged) errors += errors_of(*same, one);

@@ -46,7 +46,7 @@ std::vector<std::uint64_t> stream(const std::vector<Triangle>& triangles, const 
   return words;
 }
 
-TEST(BatchThreads, SameBytesForAnyNumberOfThreads) {
+TEST(CoverageThreads, SameBytesForAnyNumberOfThreads) {
   const FrameState frame{300, 200, Cull::kNone};
   for (const Config& config : {kFull, kMsaa4}) {
     const std::vector<Triangle> triangles = scene(frame, config);
@@ -57,7 +57,7 @@ TEST(BatchThreads, SameBytesForAnyNumberOfThreads) {
   }
 }
 
-TEST(BatchThreads, SameRecordsAsOneEngine) {
+TEST(CoverageThreads, SameRecordsAsOneEngine) {
   const FrameState frame{300, 200, Cull::kNone};
   const std::vector<Triangle> triangles = scene(frame, kFull);
   std::vector<std::uint64_t> one, many;
@@ -77,7 +77,7 @@ TEST(BatchThreads, SameRecordsAsOneEngine) {
   EXPECT_TRUE(one == many);
 }
 
-TEST(BatchThreads, SameHitsForAnyNumberOfThreads) {
+TEST(CoverageThreads, SameHitsForAnyNumberOfThreads) {
   const FrameState frame{300, 200, Cull::kNone};
   for (const Config& config : {kFull, kTiny, kMsaa4}) {
     const std::vector<Triangle> triangles = scene(frame, config);
@@ -97,7 +97,7 @@ TEST(BatchThreads, SameHitsForAnyNumberOfThreads) {
   }
 }
 
-TEST(BatchThreads, NothingComesOfNothing) {
+TEST(CoverageThreads, NothingComesOfNothing) {
   RasterStats stats;
   const HitPlane plane = hits_parallel({}, {8, 8, Cull::kNone}, kFull, {2, {}}, stats);
   EXPECT_EQ(plane.count(), std::vector<std::uint8_t>(64, 0));
@@ -107,7 +107,7 @@ TEST(BatchThreads, NothingComesOfNothing) {
 }
 
 // A sink that throws stops all threads, and the caller hears of it.
-TEST(BatchThreads, WhatTheSinkThrowsReachesTheCaller) {
+TEST(CoverageThreads, WhatTheSinkThrowsReachesTheCaller) {
   const FrameState frame{300, 200, Cull::kNone};
   const std::vector<Triangle> triangles = scene(frame, kFull);
   for (const int threads : kThreads) {
@@ -121,7 +121,7 @@ TEST(BatchThreads, WhatTheSinkThrowsReachesTheCaller) {
   }
 }
 
-TEST(BatchDriver, EveryPixelEqualOnEveryInstructionSet) {
+TEST(CoverageDriver, EveryPixelEqualOnEveryInstructionSet) {
   const std::vector<TcovCase> cases =
       read_tcov(std::string(HALFSPACE_TEST_DIR) + "/data/public.tcov");
   ASSERT_EQ(cases.size(), 320u);

@@ -143,14 +143,14 @@ void expect_level_bit(const Case& c, std::span<const Triangle> triangles) {
   }
 }
 
-class Batch : public testing::TestWithParam<Case> {};
+class CoverageEngineTest : public testing::TestWithParam<Case> {};
 
-TEST_P(Batch, EveryInstructionSetGivesTheMasksOfLevelBit) {
+TEST_P(CoverageEngineTest, EveryInstructionSetGivesTheMasksOfLevelBit) {
   const Case& c = GetParam();
   expect_level_bit(c, adversarial(c, c.triangles, 1));
 }
 
-TEST_P(Batch, TheOracleAgrees) {
+TEST_P(CoverageEngineTest, TheOracleAgrees) {
   const Case& c = GetParam();
   Random random(2);
   const std::vector<Triangle> triangles = adversarial(c, 330, 3);
@@ -175,7 +175,7 @@ TEST_P(Batch, TheOracleAgrees) {
 
 // The float path at its bound: triangles as wide as it takes them and a subpixel wider, with the
 // steepest and the flattest edges that fit.
-TEST_P(Batch, BothPathsMeetExactly) {
+TEST_P(CoverageEngineTest, BothPathsMeetExactly) {
   const Case& c = GetParam();
   const Config& config = c.config;
   Random random(4);
@@ -206,7 +206,7 @@ TEST_P(Batch, BothPathsMeetExactly) {
   expect_level_bit(c, triangles);
 }
 
-TEST_P(Batch, PathIsChosenByTheProvenBound) {
+TEST_P(CoverageEngineTest, PathIsChosenByTheProvenBound) {
   const Config& config = GetParam().config;
   EXPECT_TRUE(double_is_exact(config));
   const int extent = float_extent(config);
@@ -217,11 +217,11 @@ TEST_P(Batch, PathIsChosenByTheProvenBound) {
   EXPECT_EQ(crossing_path(config, 1, extent * one + 1), CrossingPath::kDouble);
 }
 
-INSTANTIATE_TEST_SUITE_P(Config, Batch, testing::ValuesIn(cases()),
+INSTANTIATE_TEST_SUITE_P(Config, CoverageEngineTest, testing::ValuesIn(cases()),
                          [](const testing::TestParamInfo<Case>& c) { return c.param.name; });
 
 // Runs of full tiles, strips of many windows and frames that end inside a tile.
-TEST(BatchFrames, LargeFramesGiveTheMasksOfLevelBit) {
+TEST(CoverageFrames, LargeFramesGiveTheMasksOfLevelBit) {
   const std::vector<Case> large{
       {"full", kFull, {1024, 1021, Cull::kNone}},
       {"wide", odd(8, 12, 13, 1, 3), {4096, 33, Cull::kNone}},
@@ -238,7 +238,7 @@ TEST(BatchFrames, LargeFramesGiveTheMasksOfLevelBit) {
 }
 
 // The whole frame of the largest configuration: tile coordinates reach their ends.
-TEST(BatchFrames, LargestFrameIsCoveredOnce) {
+TEST(CoverageFrames, LargestFrameIsCoveredOnce) {
   const Config config = odd(8, 15, 0, 1, 3);
   const FrameState frame{32768, 32768, Cull::kNone};
   const std::int32_t end = 32768 << 8;
@@ -253,7 +253,7 @@ TEST(BatchFrames, LargestFrameIsCoveredOnce) {
   }
 }
 
-TEST(BatchFrames, IllegalVerticesStopTheProgram) {
+TEST(CoverageFrames, IllegalVerticesStopTheProgram) {
   Triangle t;
   t.vertex = {{{0, 0}, {static_cast<std::int32_t>(kFull.coordinate_max()) + 1, 0}, {0, 99}}};
   for (const std::string_view isa : coverage_isas()) {
