@@ -238,7 +238,7 @@ Action add_render_command(Command& program, const MethodDrawing* gallery) {
   add_cull_option(*command, o->cull);
   command
       ->add_option("--simplify", o->simplify,
-                   "Leave out triangles where the surface moves by at most this, pixels")
+                   "Leave out triangles as long as the surface moves by at most this many pixels")
       ->check(not_negative())
       ->type_name("PX");
   command->add_option("--depth-test", o->depth_test, "less or less_equal")->capture_default_str();

@@ -142,7 +142,7 @@ bool covers_a_sample(const FitView& view, const Config& config) {
   return stats.tiles_covered != 0;
 }
 
-// Nothing that is drawn needs nothing: whatever came out would be right and of no use.
+// A view without a covered sample constrains nothing. Refuses a scene that has only such views.
 std::uint64_t count_empty(const std::vector<FitView>& views, const Config& config) {
   const auto empty =
       static_cast<std::size_t>(std::count_if(views.begin(), views.end(), [&](const FitView& view) {

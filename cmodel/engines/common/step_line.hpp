@@ -8,9 +8,10 @@
 
 namespace halfspace {
 
-// Steps of tasks for threads that come when they come. Tasks of a step may run at the same time and
-// in any order; the next step begins when all have ended. A thread waits only for tasks that others
-// have begun, so one thread alone gets through, and a late one joins in where the others are.
+// A task queue without barriers, which threads may join late. Tasks of a step may run at the same
+// time and in any order; the next step begins when all have ended. A thread waits only for tasks
+// that others have begun, so one thread alone gets through, and a late one joins in where the
+// others are.
 class StepLine {
  public:
   // Called between steps, by one thread at a time: how many tasks the next step has, below 2^15; 0

@@ -30,9 +30,10 @@ struct FrameEngine::Work::Round {
   std::size_t piece = 0;  // the first of its pieces
 };
 
-// A line of three: while the tiles of one round are drawn, each band of rows by one thread and in
-// the order of triangles, the next round's pieces are prepared, and the vertices of the one after
-// projected. What a step reads was made in the step before.
+// Four rounds at a time, each a step further: the indices of one are scanned (coming_), the
+// vertices of the one before are projected (arriving_), the pieces of the one before that prepared
+// (prepared_), and the tiles of the oldest drawn (drawn_), each band of rows by one thread and in
+// the order of triangles. What a step reads was made in the step before.
 //
 // Of a piece with too many records only the first are there when its round is drawn. Then the line
 // waits: in steps of their own its next records are found, and drawn with the pieces behind it.
