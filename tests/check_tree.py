@@ -11,6 +11,7 @@
 - a macro with arguments is one of those listed
 - every error code has a section in docs/02_use/errors.md, and the other way round
 - every relative link in a Markdown file leads to a file, and to a heading of it
+- each file that docs/04_develop/add_a_stage.md names exists, for an example stage
 - the figures that pages quote are those of the data (check_figures.py)
 - the version is the same wherever it is written, and so is the maintainers' address
 
@@ -233,6 +234,13 @@ def links(tree):
                     yield f"{page}: {link}#{anchor}: no such heading"
 
 
+def places(tree):
+    page = "docs/04_develop/add_a_stage.md"
+    for path in re.findall(r"`((?:cmodel|docs|rtl|testbench|tests)/[^`]*)`", tree.text(page)):
+        if not tree.has(path.replace("scissor", "coverage")):
+            yield f"{page}: {path} is not there for coverage either"
+
+
 def release(tree):
     version = re.search(r"project\(halfspace VERSION ([\d.]+)", tree.text("CMakeLists.txt"))[1]
     cited = re.search(r"^version: (.*)$", tree.text("CITATION.cff"), re.M)[1]
@@ -248,8 +256,8 @@ def release(tree):
 
 
 def problems(tree):
-    return [p for check in (stages, twins, arrows, classes, includes, macros, errors, links, release,
-                          check_figures.problems)
+    return [p for check in (stages, twins, arrows, classes, includes, macros, errors, links, places,
+                            release, check_figures.problems)
             for p in check(tree)]
 
 
