@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "lab/real_scene.hpp"
@@ -87,6 +88,19 @@ TEST(LabCharts, LargerTilesWasteMoreAndCoverMoreAClock) {
     EXPECT_LE(small["tiles_tested"].get<std::uint64_t>(),
               4 * large["tiles_tested"].get<std::uint64_t>());
   }
+}
+
+TEST(LabCharts, TheEngineIsAsWrongAsTheStagesAtEveryWidth) {
+  const RealScene scene = random_scene(905, 40, 24, 96, 96);
+  const Json data = methods_chart(&scene);
+  std::map<std::string, double> wrong;
+  for (const Json& p : data["panels"][0]["points"]) wrong[p["method"]] = p["wrong_ppm"];
+  for (int bits = 0; bits <= 12; ++bits) {
+    const std::string width = std::to_string(bits);
+    ASSERT_TRUE(wrong.count("engine_s" + width)) << bits;
+    EXPECT_EQ(wrong["engine_s" + width], wrong["halfspace_s" + width]) << bits;
+  }
+  EXPECT_GT(wrong["engine_s0"], 4 * wrong["engine_s4"]);
 }
 
 TEST(LabCharts, OraclePixelsAreTheModelsWhenVerticesAreOnTheGrid) {

@@ -150,6 +150,15 @@ class Chart(Program):
             self.succeed("chart", name, "--scene", *self.SCENE, "--out", data)
             self.assertEqual(json.loads(data.read_text())["chart"], name)
 
+    def test_the_ladder_has_the_engine_that_render_uses(self):
+        data = self.out / "ladder.json"
+        self.succeed("chart", "ladder", "--scene", *self.SCENE, "--out", data)
+        rows = json.loads(data.read_text())["levels"]
+        self.assertEqual([(r["level"], r["engine"]) for r in rows],
+                         [("coverage", "batch engine"), ("bit", "frame engine"),
+                          ("bit", "plain stages"), ("cycle", "cycle engine"), ("rtl", "Verilator")])
+        self.assertEqual({r["coverage"] for r in rows}, {"exact"})
+
     def test_triangles_that_the_geometry_stage_drops_are_not_measured(self):
         close = (SCENES / "teapot.obj", "--size", "100x80", "--eye", "0,1,2", "--target", "0,1,0")
         stats, data = self.out / "s.json", self.out / "c.json"

@@ -88,10 +88,12 @@ Json point(const std::string& name, const std::string& family, const std::string
           {"mpixels_per_cpu_second", 1e-6 * static_cast<double>(pixels) / seconds}};
 }
 
-// Level coverage of the design as the program runs it: many triangles at once, by SIMD.
-Json engine_point(const Workload& work) {
+// Level coverage of the design as the program runs it: many triangles at once, by SIMD, with
+// vertices snapped to `bits` subpixel bits.
+Json engine_point(const Workload& work, int bits) {
   Config config;
   config.guard_bits = 14;
+  config.subpixel_bits = bits;
   RealScene scene{work.name, work.timed.window.width, work.timed.window.height, {}};
   for (const Facet& f : work.timed.drawing.facets) {
     scene.triangles.push_back({{{f[0].x, f[0].y}, {f[1].x, f[1].y}, {f[2].x, f[2].y}}});
@@ -105,16 +107,16 @@ Json engine_point(const Workload& work) {
     engine.cover(triangles, [&](const CoverageChunk& chunk) { count_records(chunk, unused); });
   });
   // Its masks are the pipeline's (tests/coverage_engine_test.cpp), so its errors are too.
-  const auto* same = methods::find("halfspace_s8");
+  const auto* same = methods::find("halfspace_s" + std::to_string(bits));
   oracle::HitErrors errors;
   for (const SuiteCase& one : work.judged) errors += errors_of(*same, one);
-  return point("engine_s8", "engine", "fixed, SIMD", errors.ppm(), seconds, triangles.size(),
-               stats.samples_covered);
+  return point("engine_s" + std::to_string(bits), "engine", "fixed, SIMD", errors.ppm(), seconds,
+               triangles.size(), stats.samples_covered);
 }
 
 Json panel(const Workload& work) {
   Json points = Json::array();
-  points.push_back(engine_point(work));
+  for (int bits = 0; bits <= 12; ++bits) points.push_back(engine_point(work, bits));
   std::uint64_t covered = 0;
   for (const std::uint32_t hits : true_hits(work.timed, methods::InputKind::kTriangles)) {
     covered += hits;
