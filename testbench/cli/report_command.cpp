@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "command.hpp"
-#include "drawing_script.hpp"
 #include "io/error.hpp"
 #include "io/output_file.hpp"
 #include "io/output_folder.hpp"
@@ -56,30 +55,12 @@ void draw_pictures(const Scene& scene, OutputFolder& folder, ReportData& data) {
   write_png(folder.file("tiles.png"), tiles.image());
 }
 
-// Measures one chart; draws it beside the page where drawing is possible.
 nlohmann::ordered_json measure(const LabDoor& lab, const std::string& name,
-                               const SceneOptions& scene, bool draw, OutputFolder& folder,
-                               ReportData& data) {
+                               const SceneOptions& scene) {
   for (const ChartKind& kind : lab.chart_kinds()) {
-    if (kind.name != name) continue;
-    nlohmann::ordered_json chart = lab.chart_data(kind, scene);
-    if (draw) {
-      draw_chart(name, chart, folder.file(name + ".svg"));
-      data.drawn.push_back(name);
-    }
-    return chart;
+    if (kind.name == name) return lab.chart_data(kind, scene);
   }
   throw Error(ErrorCode::kChart, name, "is not a chart of this build");
-}
-
-bool can_draw() {
-  try {
-    require_drawing_script();
-    return true;
-  } catch (const Error& error) {
-    fmt::print(stderr, "halfspace: report without charts: {}\n", error.what());
-    return false;
-  }
 }
 
 // The method with the most wrong pixels, where it is wrong.
@@ -111,12 +92,11 @@ int run_report(const LabDoor& lab, const ReportOptions& options) {
   data.command += options.scene.camera.text();
   data.config = config;
   data.frame = scene->frame(0, config);
-  const bool draw = can_draw();
   draw_pictures(*scene, folder, data);
   Progress progress("measuring charts", 6);
   const auto chart = [&](const char* name) {
     progress.advance(1);
-    return measure(lab, name, options.scene, draw, folder, data);
+    return measure(lab, name, options.scene);
   };
   data.ladder = chart("ladder");
   data.subpixel = chart("subpixel");
@@ -142,7 +122,6 @@ Action add_report_command(Command& program, const LabDoor* lab) {
       ->required()
       ->type_name("DIR");
   command->footer(
-      "Charts need python3-matplotlib; without it the page has their figures as tables.\n"
       "Example: halfspace report tests/scenes/teapot.obj --size 320x240 --out out/report");
   return [o, lab] { return run_report(require_lab(lab), *o); };
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "io/escape.hpp"
+#include "io/html_page.hpp"
 
 namespace halfspace {
 namespace {
@@ -14,34 +15,17 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kEnoughPpm = 1000;  // wrong pixels that a picture may have before it is named
 
-constexpr const char* kStyle = R"(
-body { font: 16px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 70rem; padding: 0 1rem;
-       color: #1a202c; background: #fff; }
-h1 { font-size: 1.6rem; margin-bottom: 0; } h2 { font-size: 1.2rem; margin-top: 2.2rem; }
-.from { color: #4a5568; } code { background: #edf2f7; padding: 0 .25em; }
-figure { margin: .6rem 0; } figcaption { color: #4a5568; font-size: .9rem; }
-.row { display: flex; flex-wrap: wrap; gap: 1rem; } .row figure { flex: 1 1 20rem; }
-img { max-width: 100%; height: auto; border: 1px solid #e2e8f0; }
-table { border-collapse: collapse; margin: .6rem 0; }
-td, th { padding: .2rem .8rem; border-bottom: 1px solid #e2e8f0; text-align: right; }
-td:first-child, th:first-child { text-align: left; }
-.good { color: #276749; } .bad { color: #c53030; }
-)";
-
-std::string row(const std::vector<std::string>& cells, const char* tag = "td") {
-  std::string out = "<tr>";
-  for (const std::string& cell : cells) out += fmt::format("<{0}>{1}</{0}>", tag, cell);
-  return out + "</tr>\n";
-}
-
 std::string figure(const std::string& file, const std::string& caption) {
   return fmt::format("<figure><img src=\"{0}\" alt=\"{1}\"><figcaption>{1}</figcaption></figure>\n",
                      file, escaped(caption));
 }
 
-std::string chart(const ReportData& data, const std::string& name, const std::string& caption) {
-  const bool drawn = std::find(data.drawn.begin(), data.drawn.end(), name) != data.drawn.end();
-  return drawn ? figure(name + ".svg", caption) : std::string();
+// A line of one field of rows over another.
+ChartLine line_of(const Json& rows, const char* x, const char* y, const std::string& name = "",
+                  bool dashed = false) {
+  ChartLine line{name, {}, dashed};
+  for (const Json& r : rows) line.points.push_back({r[x].get<double>(), r[y].get<double>()});
+  return line;
 }
 
 // Wrong per million at s subpixel bits, rounded to nearest even.
@@ -110,7 +94,8 @@ std::string in_short(const ReportData& data) {
   const Json* cycle = level(data, "cycle");
   if (coverage != nullptr && cycle != nullptr) {
     out += fmt::format(
-        "<li>If only the picture matters, level <code>coverage</code> suffices ({:.0f} Mpx per CPU "
+        "<li>If only hits per pixel matter, level <code>coverage</code> suffices ({:.0f} Mpx per "
+        "CPU "
         "second); clocks need level <code>cycle</code>, {:.1f} times its time.</li>\n",
         (*coverage)["mpixels_per_cpu_second"].get<double>(),
         (*cycle)["cpu_seconds"].get<double>() / (*coverage)["cpu_seconds"].get<double>());
@@ -123,46 +108,113 @@ std::string in_short(const ReportData& data) {
   return out;
 }
 
+// Wrong per million by subpixel bits, for one way of rounding.
+ChartLine snap_line(const ReportData& data, const char* snap, const char* name, bool dashed) {
+  Json rows = Json::array();
+  for (const Json& r : data.subpixel["scenes"][0]["rows"]) {
+    if (r["snap"] == snap) rows.push_back(r);
+  }
+  return line_of(rows, "subpixel_bits", "wrong_ppm", name, dashed);
+}
+
 std::string accuracy(const ReportData& data) {
-  std::string out = "<h2>What accuracy costs here</h2>\n<table>\n";
-  out += row({"subpixel bits", "wrong per million, rounded", "edge value, bits"}, "th");
-  for (const int bits : {0, 2, 4, 6, 8, 10, 12}) {
+  ChartLine edge;
+  for (int bits = 0; bits <= 12; ++bits) {
     Config config = data.config;
     config.subpixel_bits = bits;
-    out += row({std::to_string(bits), fmt::format("{:.0f}", subpixel_ppm(data.subpixel, bits)),
-                std::to_string(config.edge_bits())});
+    edge.points.push_back({static_cast<double>(bits), static_cast<double>(config.edge_bits())});
   }
-  out += "</table>\n";
-  out += chart(data, "subpixel",
-               "Wrong pixels against vertices that were not snapped; cost of the "
-               "RTL by width (preset tiny).");
-  out += chart(data, "interpolation", "Attribute and depth error on this scene's triangles.");
-  return out;
+  const double chosen = data.config.subpixel_bits;
+  const Json& scene = data.accumulator["scenes"][0];
+  const char* lsb = "error, LSB";
+  return "<h2>What accuracy costs here</h2>\n<div>\n" +
+         line_chart({"Vertices snapped",
+                     "subpixel bits",
+                     "wrong pixels per million",
+                     {snap_line(data, "nearest_even", "rounded", false),
+                      snap_line(data, "truncate", "truncated", true)},
+                     chosen,
+                     kEnoughPpm}) +
+         line_chart({"Width of an edge value", "subpixel bits", "bits", {edge}, chosen, 0, false}) +
+         line_chart({"Edge values that wrap",
+                     "bits of the register",
+                     "wrong samples per million",
+                     {line_of(scene["rows"], "bits", "wrong_ppm")},
+                     scene["needed_bits"].get<double>()}) +
+         line_chart({"8-bit attribute",
+                     "reciprocal bits",
+                     lsb,
+                     {line_of(data.interpolation["by_reciprocal_bits"], "reciprocal_bits",
+                              "attribute_max_lsb", "greatest"),
+                      line_of(data.interpolation["by_reciprocal_bits"], "reciprocal_bits",
+                              "attribute_rms_lsb", "RMS", true)},
+                     static_cast<double>(data.config.reciprocal_bits)}) +
+         line_chart({fmt::format("{}-bit depth", data.config.depth_bits),
+                     "gradient fraction bits",
+                     lsb,
+                     {line_of(data.interpolation["by_gradient_bits"], "gradient_bits",
+                              "depth_max_lsb", "greatest"),
+                      line_of(data.interpolation["by_gradient_bits"], "gradient_bits",
+                              "depth_rms_lsb", "RMS", true)},
+                     static_cast<double>(data.config.gradient_bits)}) +
+         "</div>\n<p class=from>A ring marks what this configuration has, and the bits that this "
+         "scene's edge values need. Depth, 1/w and attributes are invented, positions are the "
+         "scene's.</p>\n";
+}
+
+std::string levels(const ReportData& data) {
+  double most = 0;
+  for (const Json& r : data.ladder["levels"]) {
+    most = std::max(most, r.value("mpixels_per_cpu_second", 0.0));
+  }
+  std::string out = "<table>\n";
+  out += table_row(
+      {"level: computed by", "coverage", "packets", "clocks", "Mpx per CPU second", ""}, "th");
+  for (const Json& r : data.ladder["levels"]) {
+    const double speed = r.value("mpixels_per_cpu_second", 0.0);
+    out += table_row({r["level"].get<std::string>() + ": " + r["engine"].get<std::string>(),
+                      r["coverage"], r["packets"], r["clocks"],
+                      speed > 0 ? fmt::format("{:.1f}", speed) : "not in this build",
+                      speed > 0 ? bar(speed / most) : ""});
+  }
+  return out + "</table>\n";
+}
+
+std::string tiles(const ReportData& data) {
+  std::string out = "<table>\n";
+  out += table_row({"tile", "covered / tested samples", "pixels per clock", "tiles tested"}, "th");
+  LineChart efficiency{"Covered samples per tested sample",
+                       "side of the triangle's box, px",
+                       "share",
+                       {},
+                       std::nullopt,
+                       0,
+                       false,
+                       true};
+  LineChart speed{"Covered pixels per clock",
+                  "side of the triangle's box, px",
+                  "pixels",
+                  {},
+                  std::nullopt,
+                  0,
+                  true,
+                  true};
+  for (const Json& tile : data.efficiency["tiles"]) {
+    const bool counted = tile["how"] == "counted";
+    const std::string name = fmt::format("{0}x{0} px{1}", tile["tile_px"].get<int>(),
+                                         counted ? " (counted, not built)" : "");
+    efficiency.lines.push_back(line_of(tile["rows"], "side_px", "efficiency", name, counted));
+    speed.lines.push_back(line_of(tile["rows"], "side_px", "pixels_per_clock", name, counted));
+    const Json& t = tile["total"];
+    out += table_row({name, fmt::format("{:.3f}", t["efficiency"].get<double>()),
+                      fmt::format("{:.1f}", t["pixels_per_clock"].get<double>()),
+                      std::to_string(t["tiles_tested"].get<std::uint64_t>())});
+  }
+  return out + "</table>\n<div>\n" + line_chart(efficiency) + line_chart(speed) + "</div>\n";
 }
 
 std::string configuration(const ReportData& data) {
-  std::string out = "<h2>Which level and configuration suffice</h2>\n<table>\n";
-  out += row({"level", "coverage", "packets", "clocks", "Mpx per CPU second"}, "th");
-  for (const Json& r : data.ladder["levels"]) {
-    out += row({r["level"], r["coverage"], r["packets"], r["clocks"],
-                r.contains("mpixels_per_cpu_second")
-                    ? fmt::format("{:.1f}", r["mpixels_per_cpu_second"].get<double>())
-                    : "not in this build"});
-  }
-  out += "</table>\n<table>\n";
-  out += row({"tile", "covered / tested samples", "pixels per clock", "tiles tested"}, "th");
-  for (const Json& tile : data.efficiency["tiles"]) {
-    const Json& t = tile["total"];
-    out += row({fmt::format("{0}x{0} px{1}", tile["tile_px"].get<int>(),
-                            tile["how"] == "counted" ? " (counted, not built)" : ""),
-                fmt::format("{:.3f}", t["efficiency"].get<double>()),
-                fmt::format("{:.1f}", t["pixels_per_clock"].get<double>()),
-                std::to_string(t["tiles_tested"].get<std::uint64_t>())});
-  }
-  out += "</table>\n";
-  out += chart(data, "efficiency", "Tile sides on this scene's triangles, by size.");
-  out += chart(data, "accumulator", "Wrong samples when edge values wrap at fewer bits.");
-  return out + chart(data, "ladder", "Speed of each level, and what it gets right.");
+  return "<h2>Which level and configuration suffice</h2>\n" + levels(data) + tiles(data);
 }
 
 std::string weaker(const ReportData& data) {
@@ -174,15 +226,15 @@ std::string weaker(const ReportData& data) {
   out +=
       "<p>Hits per pixel against exact predicates on the unsnapped vertices; fixed-point "
       "methods pay for snapping here.</p>\n<table>\n";
-  out += row({"method", "wrong per million covered", "marks"}, "th");
+  out += table_row({"method", "wrong per million covered", "", "marks"}, "th");
   for (std::size_t i = 0; i < std::min<std::size_t>(weak.size(), 15); ++i) {
-    out += row({escaped(weak[i].method), fmt::format("{:.1f}", weak[i].ppm), weak[i].marks});
+    out += table_row({escaped(weak[i].method), fmt::format("{:.1f}", weak[i].ppm),
+                      bar(weak[i].ppm / weak[0].ppm), weak[i].marks});
   }
   out += "</table>\n";
-  out += figure("worst.png", weak[0].method +
-                                 ": magnified where it is wrong most. Magenta: not "
-                                 "drawn; orange: drawn too often.");
-  return out + chart(data, "stability", "Every method on this scene.");
+  return out + figure("worst.png", weak[0].method +
+                                       ": magnified where it is wrong most. Magenta: not "
+                                       "drawn; orange: drawn too often.");
 }
 
 }  // namespace
@@ -190,13 +242,10 @@ std::string weaker(const ReportData& data) {
 std::string report_html(const ReportData& data) {
   const RasterStats& r = data.stats.raster;
   const GeometryStats& g = data.stats.geometry;
-  std::string out = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width\">\n"
-      "<title>{0}: Halfspace report</title>\n<style>{1}</style></head><body>\n"
-      "<h1>{0}</h1>\n<p class=from>{2}x{3} px, {4} subpixel bits, {5} sample(s). "
-      "<code>{6}</code></p>\n",
-      escaped(data.scene), kStyle, data.frame.width, data.frame.height, data.config.subpixel_bits,
+  std::string out = page_head(data.scene + ": Halfspace report");
+  out += fmt::format(
+      "<h1>{}</h1>\n<p class=from>{}x{} px, {} subpixel bits, {} sample(s). <code>{}</code></p>\n",
+      escaped(data.scene), data.frame.width, data.frame.height, data.config.subpixel_bits,
       data.config.samples, escaped(data.command));
   out += in_short(data);
   out += "<div class=row>\n" + figure("picture.png", "The picture.") +
@@ -205,7 +254,7 @@ std::string report_html(const ReportData& data) {
   out += accuracy(data) + configuration(data) + weaker(data);
   out += "<h2>Statistics</h2>\n<table>\n";
   const auto count = [&](const char* name, std::uint64_t value) {
-    out += row({name, std::to_string(value)});
+    out += table_row({name, std::to_string(value)});
   };
   count("triangles submitted", g.triangles_in);
   count("outside the view", g.outside);
@@ -219,7 +268,7 @@ std::string report_html(const ReportData& data) {
   count("samples covered", r.samples_covered);
   count("fragments", r.fragments);
   count("clocks", data.stats.cycles.value_or(0));
-  return out + "</table>\n</body></html>\n";
+  return out + "</table>\n" + page_end();
 }
 
 }  // namespace halfspace

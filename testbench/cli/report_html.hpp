@@ -3,7 +3,6 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
 #include "io/stats_json.hpp"
 
@@ -17,11 +16,10 @@ struct ReportData {
   Config config;
   RunStats stats;  // level cycle
   nlohmann::ordered_json subpixel, efficiency, interpolation, accumulator, ladder, stability;
-  std::vector<std::string> drawn;  // charts that are beside the page as NAME.svg
 };
 
-// One page that needs nothing but the files beside it: picture.png, hits.png, tiles.png, worst.png
-// and the charts drawn.
+// One page that needs nothing but the files beside it: picture.png, hits.png, tiles.png and
+// worst.png.
 std::string report_html(const ReportData& data);
 
 }  // namespace halfspace
