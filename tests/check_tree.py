@@ -11,6 +11,7 @@
 - a macro with arguments is one of those listed
 - every error code has a section in docs/02_use/errors.md, and the other way round
 - every relative link in a Markdown file leads to a file, and to a heading of it
+- a line of Markdown has at most 100 columns, but for tables, code and what cannot be broken
 - each file that docs/04_develop/add_a_stage.md names exists, for an example stage
 - the figures that pages quote are those of the data (check_figures.py)
 - the version is the same wherever it is written, and so is the maintainers' address
@@ -234,6 +235,16 @@ def links(tree):
                     yield f"{page}: {link}#{anchor}: no such heading"
 
 
+def columns(tree):
+    for page in tree.match(r".*\.md"):
+        prose = re.sub(r"^ *```.*?^ *```", lambda code: "\n" * code[0].count("\n"),
+                       tree.text(page), flags=re.M | re.S)
+        for number, line in enumerate(prose.split("\n"), 1):
+            words = re.sub(r"^ *(?:[-*+]|\d+\.)? *", "", line[:101])  # without a list's mark
+            if len(line) > 100 and " " in words and not re.match(r" {4}|\||#|!\[", line):
+                yield f"{page}:{number}: {len(line)} columns of prose; 100 are the most"
+
+
 def places(tree):
     page = "docs/04_develop/add_a_stage.md"
     for path in re.findall(r"`((?:cmodel|docs|rtl|testbench|tests)/[^`]*)`", tree.text(page)):
@@ -256,8 +267,8 @@ def release(tree):
 
 
 def problems(tree):
-    return [p for check in (stages, twins, arrows, classes, includes, macros, errors, links, places,
-                            release, check_figures.problems)
+    return [p for check in (stages, twins, arrows, classes, includes, macros, errors, links, columns,
+                            places, release, check_figures.problems)
             for p in check(tree)]
 
 

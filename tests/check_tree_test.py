@@ -33,6 +33,7 @@ FAULTS = [
     ("docs/02_use/errors.md", "## HS042", "## HS142", "is in only one"),
     ("README.md", "(docs/02_use/fit.md)", "(docs/02_use/fits.md)", "broken link docs/02_use/fits"),
     ("README.md", "bench.md#measured", "bench.md#times", "bench.md#times: no such heading"),
+    ("CONTRIBUTING.md", "Faults and wishes", "Faults, questions and wishes", "columns of prose"),
     ("docs/04_develop/add_a_stage.md", "cmodel/rasterizer.hpp`", "cmodel/rasteriser.hpp`",
      "rasteriser.hpp is not there"),
     ("CMakeLists.txt", "VERSION 0.1.0", "VERSION 0.2.0", "0.2.0"),
