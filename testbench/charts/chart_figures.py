@@ -6,7 +6,8 @@ import pathlib
 import matplotlib.pyplot as plt
 
 CHARTS = pathlib.Path(__file__).resolve().parents[2] / "docs" / "charts"
-BLUE, ORANGE, GREEN, RED, GREY = "#2b6cb0", "#dd6b20", "#2f855a", "#c53030", "#718096"
+BLUE, ORANGE, GREEN, RED, GREY, DARK = ("#2b6cb0", "#dd6b20", "#2f855a", "#c53030", "#718096",
+                                        "#2d3748")
 
 
 def stored(name):
@@ -17,8 +18,9 @@ def stored(name):
 
 def subpixel(data):
     area = stored("subpixel_area.json")
-    figure, axes = plt.subplots(1, 2 if area else 1, figsize=(11, 4.4), squeeze=False)
-    left = axes[0][0]
+    figure = plt.figure(figsize=(11, 5))
+    grid = figure.add_gridspec(2, 2 if area else 1, width_ratios=(3, 2) if area else None)
+    left = figure.add_subplot(grid[:, 0])
     for scene, color in zip(data["scenes"], (RED, BLUE, GREEN)):
         for snap, style in (("nearest_even", "-o"), ("truncate", "--")):
             rows = [r for r in scene["rows"] if r["snap"] == snap]
@@ -30,21 +32,23 @@ def subpixel(data):
              title="Error against vertices that were not snapped")
     left.legend()
     if area:
-        right = axes[0][1]
         rows = sorted((int(s), v) for s, v in area["subpixel_bits"].items())
         bits = [s for s, _ in rows]
-        luts, = right.plot(bits, [v["flat"]["luts"] for _, v in rows], "-o", color=BLUE,
-                           label="LUTs (ECP5)")
-        clock = right.twinx()
-        clock.grid(False)
-        clock.spines["right"].set_visible(True)
-        period, = clock.plot(bits, [v["asic"]["clock_ns"] for _, v in rows], "-s", color=ORANGE,
-                             label="clock period (0.18 um, ideal wires)")
-        clock.set(ylabel="clock period, ns", ylim=(0, None))
-        right.set(xlabel=f"subpixel bits s (measured: {', '.join(map(str, bits))})",
-                  ylabel="LUTs", ylim=(0, None), xticks=range(0, 13, 2),
-                  title=f"Cost of the RTL, preset {area['preset']} at that width")
-        right.legend(handles=[luts, period], loc="lower right")
+        panels = (("LUTs (ECP5)", [v["flat"]["luts"] for _, v in rows], "{:,.0f}"),
+                  ("clock period, ns\n(0.18 um, ideal wires)",
+                   [v["asic"]["clock_ns"] for _, v in rows], "{:.2f}"))
+        for n, (label, values, form) in enumerate(panels):
+            axis = figure.add_subplot(grid[n, 1])
+            axis.plot(bits, values, ":o", color=DARK, markersize=5, linewidth=1)
+            for s, v in zip(bits, values):
+                axis.annotate(form.format(v), (s, v), (0, 6), textcoords="offset points",
+                              ha="center", fontsize=8)
+            axis.set(ylabel=label, xlim=(-0.7, 12.9), ylim=(0, 1.25 * max(values)),
+                     xticks=range(0, 13, 2))
+            if n == 0:
+                axis.set_title(f"Cost of the RTL, preset {area['preset']} at that width")
+                axis.yaxis.set_major_formatter("{x:,.0f}")
+        axis.set_xlabel(f"subpixel bits s (measured: {', '.join(map(str, bits))})")
     figure.suptitle("Each subpixel bit halves the error and costs a few per cent of area",
                     fontweight="bold")
     figure.tight_layout()
@@ -63,22 +67,29 @@ def efficiency(data):
                       color=colors[px], label=label)
     for axes in (left, right):
         axes.set_xscale("log", base=2)
-        axes.set_xlabel("triangles in a square of this side, px")
-    left.set(ylim=(0, 1), ylabel="covered / tested samples", title="Tests not wasted")
+        sides = [r["side_px"] for r in data["tiles"][0]["rows"]]
+        axes.set_xticks(sides, [f"{side:g}" for side in sides])
+        axes.minorticks_off()
+        axes.set_xlabel("side of the square around a triangle, px")
+    left.set(ylim=(0, 1), ylabel="covered samples per tested sample",
+             title="Share of the tests that count")
     right.set_yscale("log", base=2)
+    ticks = [2.0**n for n in range(-4, 9) if right.get_ylim()[0] <= 2.0**n <= right.get_ylim()[1]]
+    right.set_yticks(ticks, [f"{t:g}" for t in ticks])
     right.set(ylabel="covered pixels per clock", title="Speed at a tile per clock")
     left.legend()
     right.legend()
     area = stored("subpixel_area.json")
-    luts = [v["luts"] / 1000 for _, v in sorted((area or {}).get("tile_px", {}).items())]
+    luts = [v["luts"] for _, v in sorted((area or {}).get("tile_px", {}).items())]
     bars.set_visible(bool(luts))
     names = ["4x4 px", "8x8 px"]
     bars.bar(names[:len(luts)], luts, color=[GREEN, BLUE], width=0.55)
     for i, v in enumerate(luts):
-        bars.text(i, v, f"{1000 * v:,.0f}", ha="center", va="bottom")
+        bars.text(i, v, f"{v:,.0f}", ha="center", va="bottom")
     bars.bar(["16x16 px"], [0])
     bars.text(len(luts), 0, "no RTL:\nnot measured", ha="center", va="bottom", color=RED)
-    bars.set(ylabel="thousand LUTs (ECP5)", title="Area, preset tiny with that tile",
+    bars.yaxis.set_major_formatter("{x:,.0f}")
+    bars.set(ylabel="LUTs (ECP5)", title="Area, preset tiny with that tile",
              ylim=(0, 1.12 * max(luts, default=1)))
     bars.grid(False, axis="x")
     figure.suptitle("A small tile wastes fewer tests; a large one covers more a clock"
@@ -149,7 +160,7 @@ def accumulator(data):
     axes.text(32.1, floor * 1.3, "int32", color=RED)
     axes.set(yscale="log", xlabel="bits of the register that holds an edge value",
              ylabel="wrong samples per million tested")
-    ticks = [t for t in (1e-2, 1, 1e2, 1e4, 1e6) if t > floor]
+    ticks = [10.0**n for n in range(-2, 7) if 10.0**n > 1.5 * floor]
     axes.set_yticks([floor, *ticks], ["0", *(f"{t:,.0f}" if t >= 1 else f"{t:g}" for t in ticks)])
     axes.minorticks_off()
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
@@ -161,36 +172,36 @@ def accumulator(data):
 
 
 def ladder(data):
-    rows = data["levels"]
-    figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.6))
-    colors = [GREEN, BLUE, ORANGE, RED]
-    speed = [r.get("mpixels_per_cpu_second") or 0 for r in rows]
-    least = min(s for s in speed if s)
-    left.bar([r["level"] for r in rows], speed, color=colors, width=0.6)
-    for i, r in enumerate(rows):
-        v = r.get("mpixels_per_cpu_second")
-        clocks = r.get("mclocks_per_cpu_second")
-        label = f"{v:,.3g}" if v else "not in\nthis build"
-        if clocks:
-            label += f"\n({clocks:,.2g} Mclk/s)"
-        left.text(i, speed[i] or least / 2, label, ha="center", va="bottom")
-    left.set(yscale="log", ylabel="million covered pixels per CPU second", title="Speed",
-             ylim=(least / 8, max(speed) * 5))
-    ticks = [t for t in (0.01, 0.1, 1, 10, 100, 1000) if least / 8 <= t <= max(speed) * 5]
-    left.set_yticks(ticks, [f"{t:g}" for t in ticks])
-    left.minorticks_off()
-    left.grid(False, axis="x")
-    right.axis("off")
-    right.grid(False)
-    cells = [[r["level"], r["coverage"], r["packets"], r["clocks"]] for r in rows]
-    table = right.table(cellText=cells, colLabels=["level", "coverage", "packets", "clocks"],
-                        loc="center", cellLoc="center", colWidths=[0.2, 0.22, 0.24, 0.34])
-    table.auto_set_font_size(False)
-    table.set_fontsize(9)
-    table.scale(1, 2.4)
-    right.set_title("What is right")
+    rows = data["levels"][::-1]
+    figure, axis = plt.subplots(figsize=(11, 1.4 + 0.62 * len(rows)))
+    colors = {"coverage": GREEN, "bit": BLUE, "cycle": ORANGE, "rtl": RED}
+    speed = [r.get("mpixels_per_cpu_second") for r in rows]
+    least, most = min(filter(None, speed)), max(filter(None, speed))
+    for y, (row, value) in enumerate(zip(rows, speed)):
+        if not value:
+            axis.text(least, y, "not in this build", va="center")
+            continue
+        axis.plot([value], [y], "o", color=colors[row["level"]], markersize=9)
+        label = f"{value:,.3g}"
+        if "mclocks_per_cpu_second" in row:
+            label += f" ({row['mclocks_per_cpu_second']:,.2g} Mclk/s)"
+        axis.annotate(label, (value, y), (0, 8), textcoords="offset points", ha="center")
+    axis.set(xscale="log", xlim=(least / 2.5, most * 2.5), ylim=(-0.6, len(rows) - 0.2),
+             xlabel="million covered pixels per CPU second of one thread")
+    axis.set_yticks(range(len(rows)), [f"{r['level']}: {r['engine']}" for r in rows])
+    ticks = [t for n in range(-2, 5) for t in (10**n, 3 * 10**n) if least / 2 < t < most * 2]
+    axis.set_xticks(ticks, [f"{t:g}" for t in ticks])
+    axis.minorticks_off()
+    columns = (("coverage", 1.08), ("packets", 1.22), ("clocks", 1.37))
+    for name, x in columns:
+        axis.text(x, len(rows) - 0.35, name, transform=axis.get_yaxis_transform(), ha="center",
+                  fontweight="bold")
+        for y, row in enumerate(rows):
+            axis.text(x, y, row[name], transform=axis.get_yaxis_transform(), ha="center",
+                      va="center")
     figure.suptitle("Model no more than a question needs"
                     f"\n{data['scene'].split('/')[-1]}, {data['width']}x{data['height']}, "
-                    f"{data['triangles']:,} triangles", fontweight="bold")
-    figure.subplots_adjust(top=0.8, bottom=0.1, left=0.08, right=0.98)
+                    f"{data['triangles']:,} triangles; the frame engine draws depth and colour too",
+                    fontweight="bold")
+    figure.subplots_adjust(left=0.16, right=0.68, top=0.8, bottom=0.14)
     return figure

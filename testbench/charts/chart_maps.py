@@ -3,11 +3,25 @@
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import LogNorm
+from matplotlib.text import Text
 
 BEST = 0.5  # where 0 is drawn on an axis of wrong pixels per million
+DARK = "#2d3748"
+
+# Each family's colour and mark; told apart by those who see fewer colours too.
+FAMILIES = {"engine": ("#111827", "*"), "edge_walking": ("#e69f00", "^"),
+            "polygons": ("#d55e00", "v"), "edge_functions": ("#0072b2", "o"),
+            "fill_rules": ("#56b4e9", "s"), "barycentric": ("#009e73", "P"),
+            "tiled": ("#cc79a7", "h"), "subdivision": ("#7c3aed", "X"),
+            "interpolation": ("#9ca3af", "<"), "projection": ("#9ca3af", ">")}
+# The points that a reader looks for: the fast, the exact, the textbook's, the slow.
+NAMED = ("walk_prestep", "walk_no_prestep", "walk_exact", "parity_top_in", "aet_double",
+         "edge_double_vertex", "edge_float_strict", "fill_top_left", "bary_area_float", "tiled_8",
+         "table_n64", "hack_incremental_float", "warnock", "micropolygons", "engine_s0",
+         "engine_s4", "engine_s8", "engine_s12", "halfspace_s0", "halfspace_s8")
 
 
-def pareto(points):
+def frontier(points):
     """Points that no other beats in both time and error, by time."""
     best, out = float("inf"), []
     for p in sorted(points, key=lambda p: (p["cpu_ns_per_triangle"], p["wrong_ppm"])):
@@ -17,43 +31,92 @@ def pareto(points):
     return out
 
 
+def place(point):
+    return point["cpu_ns_per_triangle"], max(point["wrong_ppm"], BEST)
+
+
+def name_points(axis, named):
+    """Writes each name beside its point, where it covers no other name and no point."""
+    figure = axis.figure
+    figure.canvas.draw()
+    taken = [axis.transData.transform(offset) for scatter in axis.collections
+             for offset in scatter.get_offsets()]
+    boxes = []
+    for text, at in named:
+        best = None
+        for away in (10, 18, 28, 40, 54, 70):
+            for right, up in ((1, 0.5), (1, -0.5), (-1, 0.5), (-1, -0.5), (0.3, 1), (0.3, -1),
+                              (-0.3, 1), (-0.3, -1)):
+                label = axis.annotate(
+                    text, at, (right * away, up * away), textcoords="offset points", fontsize=8,
+                    ha="left" if right > 0 else "right", va="center", zorder=5,
+                    arrowprops={"arrowstyle": "-", "color": DARK, "linewidth": 0.5, "shrinkA": 0,
+                                "shrinkB": 2})
+                label.update_positions(figure.canvas.get_renderer())
+                box = Text.get_window_extent(label).padded(2)  # without the line to the point
+                inside = axis.bbox.contains(box.x0, box.y0) and axis.bbox.contains(box.x1, box.y1)
+                bad = (100 * (not inside) + 10 * sum(box.overlaps(b) for b in boxes)
+                       + sum(box.contains(*xy) for xy in taken) + away / 1000)
+                if best is None or bad < best[0]:
+                    if best:
+                        best[1].remove()
+                    best = bad, label, box
+                else:
+                    label.remove()
+        boxes.append(best[2])
+
+
 def methods(data):
     panels = data["panels"]
-    families = sorted({p["family"] for panel in panels for p in panel["points"]})
-    colors = {f: plt.cm.tab20(i % 20) for i, f in enumerate(families)}
-    figure, axes = plt.subplots(1, len(panels), figsize=(5.6 * len(panels) + 2.2, 5.8),
-                                sharey=True, squeeze=False)
-    for axis, panel in zip(axes[0], panels):
-        for p in panel["points"]:
-            mine = p["family"] == "engine" or p["method"].startswith("halfspace_s")
-            axis.scatter(p["cpu_ns_per_triangle"], max(p["wrong_ppm"], BEST), s=42 if mine else 22,
-                         marker="*" if p["family"] == "engine" else "D" if mine else "o",
-                         color=colors[p["family"]], edgecolors="black" if mine else "none",
-                         linewidths=0.6, zorder=3)
-        front = pareto(panel["points"])
-        x = [p["cpu_ns_per_triangle"] for p in front]
-        y = [max(p["wrong_ppm"], BEST) for p in front]
-        axis.step(x + [max(p["cpu_ns_per_triangle"] for p in panel["points"])], y + [y[-1]],
-                  where="post", color="#2d3748", linewidth=1, zorder=2, label="Pareto frontier")
-        for n, p in enumerate(front):
-            axis.annotate(p["method"], (x[n], y[n]), (3, 5) if n % 2 else (0, -12), ha="left",
-                          textcoords="offset points", fontsize=7)
+    figure, axes = plt.subplots(len(panels), 1, figsize=(11, 4.9 * len(panels) + 0.5),
+                                squeeze=False)
+    families = [f for f in FAMILIES
+                if any(p["family"] == f for panel in panels for p in panel["points"])]
+    for axis, panel in zip(axes[:, 0], panels):
+        engine = [p for p in panel["points"] if p["family"] == "engine"]
+        stages = [p for p in panel["points"] if p["method"].startswith("halfspace_s")]
+        loops = [p for p in panel["points"] if p not in engine and p not in stages]
+        for family in families:
+            mine = [place(p) for p in loops if p["family"] == family]
+            if mine:
+                axis.scatter(*zip(*mine), s=30, color=FAMILIES[family][0],
+                             marker=FAMILIES[family][1], linewidths=0, zorder=3)
+        axis.scatter(*zip(*map(place, engine)), s=75, color=FAMILIES["engine"][0], marker="*",
+                     zorder=4)
+        axis.scatter(*zip(*map(place, stages)), s=26, color="white", marker="D", zorder=4,
+                     edgecolors=FAMILIES["engine"][0], linewidths=0.9)
         axis.set(xscale="log", yscale="log", xlabel="CPU time, ns per triangle",
+                 ylabel="wrong pixels per million covered",
                  title=f"{panel['name'].split('/')[-1]} ({panel['triangles']:,} drawn)")
+        for points, style in ((engine, "-"), (loops, "--")):
+            front = [place(p) for p in frontier(points)]
+            most = max(p["cpu_ns_per_triangle"] for p in points)
+            axis.step([x for x, _ in front] + [most], [y for _, y in front] + [front[-1][1]],
+                      where="post", color=DARK, linewidth=1, linestyle=style, zorder=2)
         ticks = [BEST, 10, 100, 1000, 1e4, 1e5, 1e6]
         axis.set_yticks(ticks, ["0", *(f"{t:,.0f}" for t in ticks[1:])])
-        axis.set_ylim(BEST / 4, 3e6)
+        axis.set_ylim(BEST / 3, 2e6)
         axis.minorticks_off()
-    axes[0][0].set_ylabel("wrong pixels per million covered")
-    handles = [plt.Line2D([], [], linestyle="", marker="*" if f == "engine" else "o",
-                          color=colors[f], label=f) for f in families]
-    handles.append(plt.Line2D([], [], color="#2d3748", linewidth=1, label="Pareto frontier"))
-    handles.append(plt.Line2D([], [], linestyle="", marker="D", markeredgecolor="black",
-                              color="white", label="this design, s = 0..12"))
-    axes[0][-1].legend(handles=handles, loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8)
+        left, right = axis.get_xlim()
+        ticks = [t for n in range(7) for t in (10**n, 3 * 10**n) if left <= t <= right]
+        axis.set_xticks(ticks, [f"{t:,}" for t in ticks])
+    handles = [plt.Line2D([], [], linestyle="", marker=FAMILIES[f][1], color=FAMILIES[f][0],
+                          label=f) for f in families if f != "engine"]
+    handles[:0] = [
+        plt.Line2D([], [], linestyle="-", marker="*", markersize=9, color=FAMILIES["engine"][0],
+                   label="this design, engine, s = 0..12"),
+        plt.Line2D([], [], linestyle="", marker="D", markeredgecolor=FAMILIES["engine"][0],
+                   color="white", label="this design, stages, s = 0..12"),
+        plt.Line2D([], [], color=DARK, linewidth=1, linestyle="--",
+                   label="the best of the plain loops")]
     figure.suptitle("Speed against accuracy: exact methods are among the fastest",
-                    fontweight="bold")
-    figure.tight_layout()
+                    fontweight="bold", y=0.997)
+    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.983), fontsize=8,
+                  ncol=4)
+    figure.tight_layout(rect=(0, 0, 1, 1 - 0.85 / (4.9 * len(panels) + 0.5)))
+    for axis, panel in zip(axes[:, 0], panels):
+        name_points(axis, [(p["method"], place(p)) for p in panel["points"]
+                           if p["method"] in NAMED])
     return figure
 
 
@@ -96,33 +159,62 @@ def stability(data):
     return figure
 
 
+# What an engine of bench is called here, its colour and its mark.
+ENGINES = {"llvmpipe": ("Mesa llvmpipe", "#111827", "D"), "scalar": ("plain loop", "#9ca3af", "s"),
+           "bit": ("plain stages of level bit", "#d55e00", "v"),
+           "frame": ("frame engine, which render uses", "#0072b2", "o"),
+           "cycle": ("cycle engine", "#e69f00", "^"), "coverage": ("batch engine", "#009e73", "P")}
+WORKS = {"coverage": ("Coverage of the same triangles", "ns per triangle",
+                      "llvmpipe also writes pixels that level coverage only counts"),
+         "frame": ("Whole frames of the same meshes: depth and colour", "ms per frame",
+                   "the same pixels but for rounding")}
+
+
+def peer_times(rows, work):
+    """{engine: {workload: least time}}, in the unit of that work. Coverage is of the triangles that
+    bench generates; meshes are drawn as frames."""
+    meshes = {r["workload"] for r in rows if r["work"] == "frame"}
+    times = {}
+    for r in rows:
+        if r["work"] != work or work == "coverage" and r["workload"] in meshes:
+            continue
+        engine, workload, value = r["engine"], r["workload"], r["ns_per_triangle"]
+        if work == "frame":
+            engine = "frame" if engine == "bit" and r["isa"] != "-" else engine
+            workload += f"\n{r['size']}"
+            value *= 1e-6 * r["triangles"]
+        of = times.setdefault(engine, {})
+        of[workload] = min(of.get(workload, float("inf")), value)
+    return times
+
+
 def peers(data):
     rows = [r for r in data if r["threads"] == 1]
-    works = [w for w in ("coverage", "frame") if any(r.get("work") == w for r in rows)]
-    figure, axes = plt.subplots(1, max(len(works), 1), figsize=(5.8 * max(len(works), 1) + 1, 4.8),
-                                squeeze=False)
-    order = ["small", "medium", "large", "fullscreen", "sliver"]
-    for axis, work in zip(axes[0], works):
-        mine = [r for r in rows if r["work"] == work]
-        workloads = [w for w in order if any(r["workload"] == w for r in mine)]
-        workloads += sorted({r["workload"] for r in mine} - set(workloads))
-        engines = list(dict.fromkeys(r["engine"] for r in mine))
-        width = 0.8 / len(engines)
-        for n, engine in enumerate(engines):
-            best = {}
-            for r in mine:
-                if r["engine"] == engine:
-                    w = r["workload"]
-                    best[w] = min(best.get(w, float("inf")), r["ns_per_triangle"])
-            x = [i + (n - (len(engines) - 1) / 2) * width for i in range(len(workloads))]
-            axis.bar(x, [best.get(w, 0) for w in workloads], width, color=plt.cm.tab10(n),
-                     label=engine)
-        axis.set(yscale="log", ylabel="ns per triangle, one thread",
-                 title=f"{work}: the same triangles, " + {
-                     "coverage": "and llvmpipe writes pixels"}.get(work, "the same work"))
+    works = [w for w in WORKS if any(r["work"] == w for r in rows)]
+    figure, axes = plt.subplots(len(works), 1, figsize=(10, 4.6 * len(works) + 0.4), squeeze=False)
+    for axis, work in zip(axes[:, 0], works):
+        times = peer_times(rows, work)
+        workloads = list(dict.fromkeys(w for of in times.values() for w in of))
+        title, unit, note = WORKS[work]
+        for x, workload in enumerate(workloads):
+            reach = [of[workload] for of in times.values() if workload in of]
+            axis.plot([x, x], [min(reach), max(reach)], color="#e5e7eb", linewidth=6, zorder=1,
+                      solid_capstyle="round")
+        for engine, (label, color, mark) in ENGINES.items():
+            of = times.get(engine, {})
+            at = [(x, of[w]) for x, w in enumerate(workloads) if w in of]
+            if at:
+                axis.scatter(*zip(*at), s=46, color=color, marker=mark, label=label, zorder=3)
+        axis.set(yscale="log", ylabel=f"{unit}, one thread", title=f"{title}\n({note})",
+                 xlim=(-0.5, len(workloads) - 0.5))
+        low, high = axis.get_ylim()
+        ticks = [t for n in range(-3, 9) for t in (10.0**n, 3 * 10.0**n) if low <= t <= high]
+        axis.set_yticks(ticks, [f"{t:,g}" if t < 1 else f"{t:,.0f}" for t in ticks])
+        axis.minorticks_off()
         axis.set_xticks(range(len(workloads)), workloads)
-        axis.grid(False, axis="x")
-        axis.legend(fontsize=8)
-    figure.suptitle("Against llvmpipe, by the size of triangles", fontweight="bold")
+        axis.legend(fontsize=8, loc="center left", bbox_to_anchor=(1, 0.5))
+    figure.suptitle("Against llvmpipe: coverage by the size of triangles, and whole frames"
+                    if "frame" in works else "Against llvmpipe, by the size of triangles",
+                    fontweight="bold")
     figure.tight_layout()
     return figure

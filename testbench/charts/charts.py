@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What the program measures, drawn: SVG and PNG, the data as JSON beside them.
+"""What the program measures, drawn: SVG, the data as JSON beside it.
 
 charts.py PROGRAM OUT [NAME ...]    measure with PROGRAM, write data and pictures into OUT
 charts.py draw NAME DATA.json FILE  draw data that is there; FILE ends in .svg or .png
@@ -45,7 +45,8 @@ def measure(program, name, data):
                           "--out", data],
                "peers": [program, "bench", "--engine", "scalar", "bit", "coverage", "cycle",
                          "llvmpipe", "--threads", "1", "--scale", "0.2", "--workload", "small",
-                         "medium", "large", "fullscreen", "sliver", "--out", data]}
+                         "medium", "large", "fullscreen", "sliver", "teapot", "bunny", "--out",
+                         data]}
     done = subprocess.run(command.get(name, [program, "chart", name, "--out", data]),
                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, cwd=ROOT)
     if done.returncode != 0:
@@ -75,9 +76,7 @@ def main():
         if not measure(program, name, data):
             failed += 1
             continue
-        figure = FIGURES[name](json.loads(data.read_text()))
-        for kind in ("svg", "png"):
-            save(figure, out / f"{name}.{kind}")
+        save(FIGURES[name](json.loads(data.read_text())), out / f"{name}.svg")
         print(f"charts: {out / name}.svg", flush=True)
     return 1 if failed else 0
 
