@@ -155,7 +155,7 @@ class Chart(Program):
         self.succeed("chart", "ladder", "--scene", *self.SCENE, "--out", data)
         rows = json.loads(data.read_text())["levels"]
         self.assertEqual([(r["level"], r["engine"]) for r in rows],
-                         [("coverage", "batch engine"), ("bit", "frame engine"),
+                         [("coverage", "coverage engine"), ("bit", "frame engine"),
                           ("bit", "plain stages"), ("cycle", "cycle engine"), ("rtl", "Verilator")])
         self.assertEqual({r["coverage"] for r in rows}, {"exact"})
 

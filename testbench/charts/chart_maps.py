@@ -163,7 +163,8 @@ def stability(data):
 ENGINES = {"llvmpipe": ("Mesa llvmpipe", "#111827", "D"), "scalar": ("plain loop", "#9ca3af", "s"),
            "bit": ("plain stages of level bit", "#d55e00", "v"),
            "frame": ("frame engine, which render uses", "#0072b2", "o"),
-           "cycle": ("cycle engine", "#e69f00", "^"), "coverage": ("batch engine", "#009e73", "P")}
+           "cycle": ("cycle engine", "#e69f00", "^"),
+           "coverage": ("coverage engine", "#009e73", "P")}
 WORKS = {"coverage": ("Coverage of the same triangles", "ns per triangle",
                       "llvmpipe also writes pixels that level coverage only counts"),
          "frame": ("Whole frames of the same meshes: depth and colour", "ms per frame",

@@ -118,7 +118,7 @@ nlohmann::ordered_json ladder_chart(const SceneOptions& options) {
     const auto off = static_cast<std::int64_t>(*cycle.stats.cycles - *rtl->stats.cycles);
     cycle_clocks += fmt::format(", {} off", off);
   }
-  row("coverage", "batch engine", measure(Fidelity::kCoverage, triangles, frame, config), "no",
+  row("coverage", "coverage engine", measure(Fidelity::kCoverage, triangles, frame, config), "no",
       "no");
   row("bit", "frame engine", measure_frame(triangles, frame, config), "no", "no");
   row("bit", "plain stages", bit, "every one", "no");

@@ -26,9 +26,9 @@ Json efficiency_chart(const RealScene* scene);
 // reciprocal and by gradient bits. scene: its triangles, with depth, 1/w and attributes invented.
 Json interpolation_chart(const RealScene* scene);
 
-// Wrong pixels against CPU time per triangle, for every method of the gallery and the batch engine,
-// for triangles of 4, 32 and 256 px. Cells of one triangle with vertices anywhere (timed) and a
-// mesh on half pixels are judged together; the scene's triangles alone when there is one.
+// Wrong pixels against CPU time per triangle, for every method of the gallery and the coverage
+// engine, for triangles of 4, 32 and 256 px. Cells of one triangle with vertices anywhere (timed)
+// and a mesh on half pixels are judged together; the scene's triangles alone when there is one.
 Json methods_chart(const RealScene* scene);
 
 // Wrong samples when edge values are kept in too few bits and wrap, by width and scene extent.
