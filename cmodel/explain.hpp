@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "config.hpp"
-#include "depth_test.hpp"
+#include "depth.hpp"
 #include "packets.hpp"
 #include "rasterizer.hpp"
 

@@ -24,7 +24,7 @@ FrameTile& Framebuffer::tile(std::int32_t x, std::int32_t y) {
     const auto samples = static_cast<std::size_t>(config_.samples);
     DepthTile far{};
     far.fill((std::uint32_t{1} << config_.depth_bits) - 1);
-    std::array<Rgb, 64> clear{};
+    ColorTile clear{};
     clear.fill(background_);
     slot->depth.assign(samples, far);
     slot->color.assign(samples, clear);
@@ -52,7 +52,7 @@ Image Framebuffer::resolve() const {
       const FrameTile* tile = find(x, y, lane);
       if (tile == nullptr) continue;
       std::array<unsigned, 3> sum{};
-      for (const std::array<Rgb, 64>& color : tile->color) {
+      for (const ColorTile& color : tile->color) {
         for (std::size_t c = 0; c < 3; ++c) sum[c] += color[lane][c];
       }
       for (std::size_t c = 0; c < 3; ++c) {

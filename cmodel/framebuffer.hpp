@@ -7,12 +7,9 @@
 #include <vector>
 
 #include "config.hpp"
-#include "depth_test.hpp"
 #include "packets.hpp"
 
 namespace halfspace {
-
-using Rgb = std::array<std::uint8_t, 3>;
 
 // An 8-bit RGB picture, row by row from the top.
 struct Image {
@@ -27,8 +24,8 @@ struct Image {
 
 // What the framebuffer keeps of one tile: depth and colour of each sample.
 struct FrameTile {
-  std::vector<DepthTile> depth;            // [sample]
-  std::vector<std::array<Rgb, 64>> color;  // [sample][lane]
+  std::vector<DepthTile> depth;  // [sample]
+  std::vector<ColorTile> color;  // [sample]
 };
 
 // Depth and colour of a frame, stored by tile; a tile gets storage when it is first touched, so a

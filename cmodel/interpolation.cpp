@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interpolation.hpp"
 
-#include <algorithm>
-#include <bit>
-
 #include "fixed.hpp"
 #include "samples.hpp"
 
 namespace halfspace {
 namespace {
-
-// Width of the perspective divider's operands after normalisation.
-constexpr int kQuotientBits = 16;
 
 // floor(numerator 2^shift / denominator) modulo 2^64. The quotient of a sliver may be far wider;
 // its low bits are all that later sums use.
@@ -107,31 +101,22 @@ std::uint32_t sample_delta(const Plane& plane, int sample, const Config& config)
       floor_shift(static_cast<std::int64_t>(sum), config.gradient_bits + 4));
 }
 
-std::uint32_t depth_value(std::int32_t units, const Config& config) {
-  const int shift = kPlaneBits - config.depth_bits;
-  const std::int64_t rounded =
-      floor_shift(std::int64_t{units} + (std::int64_t{1} << (shift - 1)), shift);
-  const std::int64_t greatest = (std::int64_t{1} << config.depth_bits) - 1;
-  return static_cast<std::uint32_t>(std::clamp<std::int64_t>(rounded, 0, greatest));
-}
-
-std::uint32_t reciprocal(std::uint32_t mantissa, const Config& config) {
-  const int R = config.reciprocal_bits;
-  HS_CHECK(mantissa >> (R - 1) == 1);
-  return static_cast<std::uint32_t>((std::uint64_t{1} << (2 * R)) / (2 * mantissa + 1));
-}
-
-std::uint8_t perspective(std::int32_t attribute, std::int32_t inverse_w, const Config& config) {
-  const int R = config.reciprocal_bits;
-  const auto u = static_cast<std::uint32_t>(std::max(inverse_w, 1));
-  const auto p = static_cast<std::uint32_t>(std::clamp(attribute, 0, static_cast<std::int32_t>(u)));
-  // Both shifted alike, so that 1/w has its top bit at 2^31: then cut to 16 and to R bits.
-  const int up = std::countl_zero(u);
-  const std::uint32_t numerator = (p << up) >> (32 - kQuotientBits);
-  const std::uint32_t r = reciprocal((u << up) >> (32 - R), config);
-  const int shift = R + kQuotientBits - 1 - 8;
-  const std::uint64_t product = std::uint64_t{numerator} * r + (std::uint64_t{1} << (shift - 1));
-  return static_cast<std::uint8_t>(std::min<std::uint64_t>(product >> shift, 255));
+ShadingPlanes shading_planes(const InterpolationSetup& setup, int colors, std::int32_t x,
+                             std::int32_t y, const Config& config) {
+  const auto sampled = [&](const Plane& plane) {
+    SampledPlane out;
+    out.center = tile_plane(plane, setup.origin, x, y, config);
+    for (int m = 0; m < config.samples; ++m) {
+      out.offset[static_cast<std::size_t>(m)] = sample_delta(plane, m, config);
+    }
+    return out;
+  };
+  ShadingPlanes out;
+  out.inverse_w = sampled(setup.inverse_w);
+  for (std::size_t c = 0; c < static_cast<std::size_t>(colors); ++c) {
+    out.color[c] = sampled(setup.attribute[c]);
+  }
+  return out;
 }
 
 }  // namespace halfspace

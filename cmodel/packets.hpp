@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What travels between the stages up to coverage: one struct per arrow of the data flow, same
-// fields in the same order as the packed structs of rtl/hs_pkg.sv. What only later stages pass on
-// (planes, depths, colours) is in the header of the stage that makes it. Formats name the widths of
-// Config. s = subpixel_bits, q = sample_bits().
+// What travels between the stages: one struct per arrow of the data flow. Up to coverage they have
+// the same fields in the same order as the packed structs of rtl/hs_pkg.sv. Formats name the widths
+// of Config. s = subpixel_bits, q = sample_bits().
 #pragma once
 
 #include <array>
@@ -100,13 +99,79 @@ using GridMask = std::uint64_t;
 
 inline constexpr int kMaxSamples = 16;
 
+// A mask for each sample; those beyond Config::samples are 0.
+using SampleMasks = std::array<GridMask, kMaxSamples>;
+
 // coverage to interpolation: one tile of one triangle, at least one bit set.
 struct CoverageTile {
   std::int32_t x = 0;  // pixel column of the tile's first pixel
   std::int32_t y = 0;
-  std::array<GridMask, kMaxSamples> mask{};  // one per sample; those beyond Config::samples are 0
+  SampleMasks mask{};
   std::uint32_t tag = 0;
   bool operator==(const CoverageTile&) const = default;
 };
+
+// Every interpolated quantity is aligned to U0.30 ("units" below are 2^-30 of full scale).
+inline constexpr int kPlaneBits = 30;
+
+// One quantity over the whole triangle. Modulo 2^64.
+struct Plane {
+  std::uint64_t at_vertex0 = 0;  // U.F units at vertex 0
+  std::uint64_t dx = 0;          // S.F units per pixel: floor of the exact quotient
+  std::uint64_t dy = 0;
+  bool operator==(const Plane&) const = default;
+};
+
+// One triangle's planes. inverse_w and attribute are set only when asked for.
+struct InterpolationSetup {
+  Point origin;  // vertex 0, S.s px
+  Plane depth;
+  Plane inverse_w;
+  std::array<Plane, kMaxAttributes> attribute;  // attribute / 256 / w
+  bool operator==(const InterpolationSetup&) const = default;
+};
+
+// One quantity over one tile, in units, modulo 2^32: base + dx i + dy j at the centre of pixel
+// (i, j).
+struct TilePlane {
+  std::uint32_t base = 0;
+  std::uint32_t dx = 0;
+  std::uint32_t dy = 0;
+  bool operator==(const TilePlane&) const = default;
+
+  // In units; meaningful at covered samples, where it is within the bound of the true value.
+  std::int32_t at(int i, int j) const {
+    return static_cast<std::int32_t>(base + dx * static_cast<std::uint32_t>(i) +
+                                     dy * static_cast<std::uint32_t>(j));
+  }
+};
+
+// The same with what each sample adds to its pixel's centre.
+struct SampledPlane {
+  TilePlane center;
+  std::array<std::uint32_t, kMaxSamples> offset{};
+  bool operator==(const SampledPlane&) const = default;
+
+  // A negative sample is the pixel's centre.
+  std::int32_t at(int i, int j, int sample) const {
+    const std::uint32_t by = sample < 0 ? 0 : offset[static_cast<std::size_t>(sample)];
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(center.at(i, j)) + by);
+  }
+};
+
+// interpolation to shading: what colours one tile.
+struct ShadingPlanes {
+  SampledPlane inverse_w;
+  std::array<SampledPlane, 3> color;  // red, green, blue, each / 256 / w
+  bool operator==(const ShadingPlanes&) const = default;
+};
+
+// framebuffer to depth and back: depths of one sample of every pixel of a tile, U0.depth_bits.
+using DepthTile = std::array<std::uint32_t, 64>;
+
+using Rgb = std::array<std::uint8_t, 3>;
+
+// shading to framebuffer: the colours of a tile's pixels; black where there is no fragment.
+using ColorTile = std::array<Rgb, 64>;
 
 }  // namespace halfspace

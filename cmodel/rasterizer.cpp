@@ -4,22 +4,6 @@
 #include <algorithm>
 
 namespace halfspace {
-namespace {
-
-// A pixel's colour is evaluated once: at its centre when every sample is covered, else at the first
-// covered sample. Both lie in the triangle, so no attribute is ever extrapolated. -1 is the centre.
-int shading_sample(const CoverageTile& tile, int lane, int samples) {
-  int first = -1;
-  for (int m = samples - 1; m >= 0; --m) {
-    if ((tile.mask[static_cast<std::size_t>(m)] >> lane & 1) != 0) first = m;
-  }
-  for (int m = 0; m < samples; ++m) {
-    if ((tile.mask[static_cast<std::size_t>(m)] >> lane & 1) == 0) return first;
-  }
-  return -1;
-}
-
-}  // namespace
 
 RasterStats& RasterStats::operator+=(const RasterStats& other) {
   triangles += other.triangles;
@@ -69,46 +53,44 @@ void Rasterizer::draw_tile(const CoverageTile& tile) {
     has_depth_ = true;
   }
   FrameTile& stored = framebuffer_.tile(tile.x, tile.y);
-  const TilePlane depth = tile_plane(planes_.depth, planes_.origin, tile.x, tile.y, config_);
-  std::array<GridMask, kMaxSamples> passed{};
-  GridMask any = 0;
-  for (int m = 0; m < config_.samples; ++m) {
-    const auto s = static_cast<std::size_t>(m);
-    TilePlane at_sample = depth;
-    at_sample.base += sample_delta(planes_.depth, m, config_);
-    passed[s] = depth_test(tile.mask[s], at_sample, depth_function_, stored.depth[s], config_);
-    any |= passed[s];
-  }
-  if (any == 0) return;
+  const SampleMasks passed = test_tile(tile, stored);
+  if (any_sample(passed) == 0) return;
   if (!has_attributes_) {
     planes_ =
         interpolation_setup(setup_, triangle_->triangle, triangle_->attributes, colors_, config_);
     has_attributes_ = true;
   }
-  shade(tile, passed, stored);
+  shade_tile(tile, passed, stored);
 }
 
-void Rasterizer::shade(const CoverageTile& tile, const std::array<GridMask, kMaxSamples>& passed,
-                       FrameTile& stored) {
-  inverse_w_ = tile_plane(planes_.inverse_w, planes_.origin, tile.x, tile.y, config_);
-  for (std::size_t c = 0; c < static_cast<std::size_t>(colors_); ++c) {
-    attribute_[c] = tile_plane(planes_.attribute[c], planes_.origin, tile.x, tile.y, config_);
+SampleMasks Rasterizer::test_tile(const CoverageTile& tile, FrameTile& stored) {
+  const TilePlane depth = tile_plane(planes_.depth, planes_.origin, tile.x, tile.y, config_);
+  SampleMasks passed{};
+  for (int m = 0; m < config_.samples; ++m) {
+    const auto s = static_cast<std::size_t>(m);
+    TilePlane at_sample = depth;
+    at_sample.base += sample_delta(planes_.depth, m, config_);
+    passed[s] = depth_test(tile.mask[s], at_sample, depth_function_, stored.depth[s], config_);
   }
-  GridMask any = 0;
-  for (const GridMask mask : passed) any |= mask;
-  for (; any != 0; any &= any - 1) {
+  return passed;
+}
+
+void Rasterizer::shade_tile(const CoverageTile& tile, const SampleMasks& passed,
+                            FrameTile& stored) {
+  const ShadingPlanes planes = shading_planes(planes_, colors_, tile.x, tile.y, config_);
+  const ColorTile color = shading(tile, passed, planes, colors_, config_);
+  for (GridMask any = any_sample(passed); any != 0; any &= any - 1) {
     const int lane = std::countr_zero(any);
+    const Rgb& fragment = color[static_cast<std::size_t>(lane)];
     ++stats_.fragments_shaded;
-    const Rgb color = color_at(lane, shading_sample(tile, lane, config_.samples));
     for (std::size_t s = 0; s < static_cast<std::size_t>(config_.samples); ++s) {
-      if ((passed[s] >> lane & 1) != 0) stored.color[s][static_cast<std::size_t>(lane)] = color;
+      if ((passed[s] >> lane & 1) != 0) stored.color[s][static_cast<std::size_t>(lane)] = fragment;
     }
-    if (fragment_) fragment_(fragment_at(lane, tile, passed, stored, color));
+    if (fragment_) fragment_(fragment_at(lane, tile, passed, stored, fragment));
   }
 }
 
-Fragment Rasterizer::fragment_at(int lane, const CoverageTile& tile,
-                                 const std::array<GridMask, kMaxSamples>& passed,
+Fragment Rasterizer::fragment_at(int lane, const CoverageTile& tile, const SampleMasks& passed,
                                  const FrameTile& stored, const Rgb& color) const {
   Fragment out;
   out.x = tile.x + (lane & (config_.grid() - 1));
@@ -122,21 +104,6 @@ Fragment Rasterizer::fragment_at(int lane, const CoverageTile& tile,
     out.depth[s] = stored.depth[s][static_cast<std::size_t>(lane)];
   }
   return out;
-}
-
-Rgb Rasterizer::color_at(int lane, int sample) const {
-  const int i = lane & (config_.grid() - 1);
-  const int j = lane >> config_.grid_log2;
-  const auto at = [&](const TilePlane& tile, const Plane& plane) {
-    const std::uint32_t delta = sample < 0 ? 0 : sample_delta(plane, sample, config_);
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(tile.at(i, j)) + delta);
-  };
-  const std::int32_t inverse_w = at(inverse_w_, planes_.inverse_w);
-  Rgb color{};
-  for (std::size_t c = 0; c < static_cast<std::size_t>(colors_); ++c) {
-    color[c] = perspective(at(attribute_[c], planes_.attribute[c]), inverse_w, config_);
-  }
-  return color;
 }
 
 }  // namespace halfspace

@@ -13,11 +13,12 @@
 
 #include "config.hpp"
 #include "coverage.hpp"
-#include "depth_test.hpp"
+#include "depth.hpp"
 #include "framebuffer.hpp"
 #include "hit_count.hpp"
 #include "interpolation.hpp"
 #include "packets.hpp"
+#include "shading.hpp"
 #include "tile_traversal.hpp"
 #include "triangle_setup.hpp"
 
@@ -142,12 +143,10 @@ class Rasterizer {
   const HitCount& hit_count() const { return hit_count_; }
 
  private:
-  void shade(const CoverageTile& tile, const std::array<GridMask, kMaxSamples>& passed,
-             FrameTile& stored);
-  Rgb color_at(int lane, int sample) const;
-  Fragment fragment_at(int lane, const CoverageTile& tile,
-                       const std::array<GridMask, kMaxSamples>& passed, const FrameTile& stored,
-                       const Rgb& color) const;
+  SampleMasks test_tile(const CoverageTile& tile, FrameTile& stored);
+  void shade_tile(const CoverageTile& tile, const SampleMasks& passed, FrameTile& stored);
+  Fragment fragment_at(int lane, const CoverageTile& tile, const SampleMasks& passed,
+                       const FrameTile& stored, const Rgb& color) const;
 
   FrameState frame_;
   Config config_;
@@ -165,8 +164,6 @@ class Rasterizer {
   bool has_attributes_ = false;
   InterpolationSetup planes_;
   int colors_;
-  TilePlane inverse_w_;  // of the tile being shaded
-  std::array<TilePlane, 3> attribute_;
 };
 
 }  // namespace halfspace

@@ -38,14 +38,13 @@ STAGES = {"geometry": NO_RTL,                 # runs on the host
           "half_plane_grid": ("checker",),    # no handshake: a part of the next two
           "tile_traversal": (),
           "coverage": (),
-          "interpolation": NO_RTL,            # no RTL yet, nor the next two
-          "depth_test": NO_RTL,
+          "interpolation": NO_RTL,            # no RTL yet, nor the next three
+          "depth": NO_RTL,
+          "shading": NO_RTL,
           "framebuffer": NO_RTL}
 # The stages that a stage may include, and for what.
 INCLUDES = {"tile_traversal": {"half_plane_grid"},  # it is made of grids
-            "coverage": {"half_plane_grid"},        # and so is this
-            "depth_test": {"interpolation"},        # TilePlane
-            "framebuffer": {"depth_test"}}          # DepthTile
+            "coverage": {"half_plane_grid"}}        # and so is this
 # The folders of the house, from the ground up, and which of those above it each may include. A
 # folder never includes one below it.
 ENGINES = ("cmodel/engines/coverage", "cmodel/engines/cycle", "cmodel/engines/frame")

@@ -12,6 +12,7 @@
 #include "engines/frame/frame_planes.hpp"
 #include "fixed.hpp"
 #include "interpolation.hpp"
+#include "shading.hpp"
 #include "vectors/generators.hpp"
 
 namespace halfspace {

@@ -11,35 +11,6 @@
 namespace halfspace {
 namespace {
 
-TEST(Interpolation, ReciprocalIsTheFloorForEveryMantissa) {
-  for (int bits = 6; bits <= 16; ++bits) {
-    Config config = kFull;
-    config.reciprocal_bits = bits;
-    for (std::uint32_t m = 1u << (bits - 1); m < 1u << bits; ++m) {
-      const std::uint64_t r = reciprocal(m, config);
-      const std::uint64_t d = 2 * std::uint64_t{m} + 1;
-      const std::uint64_t n = std::uint64_t{1} << (2 * bits);
-      ASSERT_TRUE(r * d <= n && (r + 1) * d > n) << "bits " << bits << " mantissa " << m;
-      ASSERT_LT(r, 1u << bits);
-    }
-  }
-}
-
-TEST(Interpolation, PerspectiveClampsWhatExtrapolationLeaves) {
-  EXPECT_EQ(perspective(-5, 1 << 29, kFull), 0);
-  EXPECT_EQ(perspective(1 << 30, 1 << 20, kFull), 255);
-  EXPECT_EQ(perspective(0, 0, kFull), 0);
-  EXPECT_EQ(perspective(INT32_MIN, INT32_MIN, kFull), 0);
-  EXPECT_EQ(perspective(INT32_MAX, INT32_MAX, kFull), 255);
-}
-
-TEST(Interpolation, DepthValueRoundsToNearestAndClamps) {
-  EXPECT_EQ(depth_value(-1, kFull), 0u);
-  EXPECT_EQ(depth_value(31, kFull), 0u);
-  EXPECT_EQ(depth_value(32, kFull), 1u);
-  EXPECT_EQ(depth_value(INT32_MAX, kFull), (1u << 24) - 1);
-}
-
 // attribute / w at a vertex: 2^15 / 2^16 is a half and rounds up, anything less rounds down.
 TEST(Interpolation, AttributeOverWIsRoundedToNearest) {
   const Triangle t{{{{0, 0}, {0, 2560}, {2560, 0}}}, 0};

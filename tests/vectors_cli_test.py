@@ -12,7 +12,7 @@ from program import SCENES, TESTS, Program  # noqa: E402
 
 SETS = sorted((TESTS / "vectors").glob("*.hsv"))
 STAGES = ("rasterizer", "triangle_setup", "half_plane_grid", "tile_traversal", "coverage",
-          "interpolation", "depth_test")
+          "interpolation", "depth")
 PRESETS = ("tiny", "full", "d3d", "msaa4")
 
 
@@ -68,7 +68,7 @@ class Vectors(Program):
 
     def test_a_mesh_and_a_tcov_file_are_sources(self):
         cube, public = SCENES / "tetrahedron.stl", TESTS / "data" / "public.tcov"
-        for stage in ("rasterizer", "depth_test", "interpolation"):
+        for stage in ("rasterizer", "depth", "interpolation"):
             self.succeed(cube, "--size", "96x64", "--ortho", "0", "--stage", stage, "--out",
                          self.out / "m.csv")
             self.succeed("--check", self.out / "m.csv")
@@ -186,13 +186,13 @@ class Vectors(Program):
         self.refuse("HS090", *source)
         self.refuse("HS090", *source, "--out", self.out / "v.txt", says=".jsonl")
         self.refuse("HS090", *source, "--out", csv, "--format", "xml")
-        self.refuse("HS090", *source, "--out", csv, "--stage", "clip", says="depth_test")
+        self.refuse("HS090", *source, "--out", csv, "--stage", "clip", says="or depth")
         self.refuse("HS090", "--generate", "round", "--out", csv, says="sliver")
         self.refuse("HS090", *source, "--out", csv, "--stall", "1")
         self.refuse("HS090", *source, "--out", csv, "--node-level", "1")
         self.refuse("HS090", *source, "--out", csv, "--stage", "tile_traversal", "--node-level",
                     "4")
-        self.refuse("HS090", *source, "--bench", self.out / "b", "--stage", "depth_test",
+        self.refuse("HS090", *source, "--bench", self.out / "b", "--stage", "depth",
                     says="RTL")
         self.refuse("HS090", "--goal", "0", "--out", csv)
         self.refuse("HS090", "--goal", "101%", "--out", csv)

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "depth_test.hpp"
+#include "depth.hpp"
 #include "framebuffer.hpp"
 #include "io/stats_json.hpp"
 #include "scene/scene.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "camera_options.hpp"
-#include "depth_test.hpp"
+#include "depth.hpp"
 #include "scene/scene.hpp"
 
 namespace CLI {

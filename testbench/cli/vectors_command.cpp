@@ -160,7 +160,7 @@ Action add_vectors_command(Command& program) {
   command
       ->add_option("--stage", o->stage,
                    "rasterizer, triangle_setup, half_plane_grid, tile_traversal, coverage, "
-                   "interpolation or depth_test")
+                   "interpolation or depth")
       ->capture_default_str();
   command->add_option("--node-level", o->node_level,
                       "Stage tile_traversal: level of the pyramid, 0 is the root");

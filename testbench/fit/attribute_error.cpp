@@ -8,6 +8,7 @@
 #include "interpolation.hpp"
 #include "rasterizer.hpp"
 #include "samples.hpp"
+#include "shading.hpp"
 #include "scene/progress.hpp"
 
 namespace halfspace {

@@ -3,7 +3,7 @@
 // Ports back to packets: the inverse of layout.hpp's values_of(), for the stimulus of each stage.
 #pragma once
 
-#include "depth_test.hpp"
+#include "depth.hpp"
 #include "interpolation.hpp"
 #include "layout.hpp"
 #include "packets.hpp"

@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include "depth_test.hpp"
+#include "depth.hpp"
 #include "generators.hpp"
 #include "vector_set.hpp"
 
@@ -23,7 +23,7 @@ class StimulusMaker {
 
   // Every input of the stage for this triangle, in order. half_plane_grid: every edge and sample of
   // every leaf tile; interpolation: one lane of every covered sample plane of every tile;
-  // depth_test: those planes, against a depth buffer that the triangles before have filled.
+  // depth: those planes, against a depth buffer that the triangles before have filled.
   void draw(const ShadedTriangle& triangle, const Sink& sink);
 
  private:

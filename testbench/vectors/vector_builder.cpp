@@ -9,6 +9,7 @@
 #include "coverage.hpp"
 #include "half_plane_grid.hpp"
 #include "packets_of.hpp"
+#include "shading.hpp"
 #include "tile_traversal.hpp"
 #include "triangle_setup.hpp"
 

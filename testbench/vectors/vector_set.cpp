@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array<std::string_view, kVectorStages> kStageNames{
     "rasterizer", "triangle_setup", "half_plane_grid", "tile_traversal",
-    "coverage",   "interpolation",  "depth_test"};
+    "coverage",   "interpolation",  "depth"};
 
 void append(Layout& layout, const Layout& more) {
   layout.insert(layout.end(), more.begin(), more.end());

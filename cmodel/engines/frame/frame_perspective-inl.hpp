@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// perspective() of interpolation.hpp for a vector of fragments: the same bits.
+// perspective() of shading.hpp for a vector of fragments: the same bits.
 #if defined(HALFSPACE_SIMD_FRAME_PERSPECTIVE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef HALFSPACE_SIMD_FRAME_PERSPECTIVE_INL
 #undef HALFSPACE_SIMD_FRAME_PERSPECTIVE_INL

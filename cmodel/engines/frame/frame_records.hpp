@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "../../config.hpp"
-#include "../../depth_test.hpp"
+#include "../../depth.hpp"
 #include "../../packets.hpp"
 
 namespace halfspace {

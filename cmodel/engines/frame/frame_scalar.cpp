@@ -5,6 +5,7 @@
 
 #include "../../fixed.hpp"
 #include "../../interpolation.hpp"
+#include "../../shading.hpp"
 #include "../coverage/coverage_chunk.hpp"
 #include "frame_kernel.hpp"
 #include "frame_planes.hpp"

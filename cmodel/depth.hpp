@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "config.hpp"
-#include "interpolation.hpp"
 #include "packets.hpp"
 
 namespace halfspace {
@@ -13,8 +11,8 @@ namespace halfspace {
 // When a fragment replaces what is stored. Nearer is smaller.
 enum class DepthFunction : std::uint8_t { kLess, kLessEqual, kAlways };
 
-// Depths of one sample of every pixel of a tile, U0.depth_bits, lane j * grid() + i.
-using DepthTile = std::array<std::uint32_t, 64>;
+// Units to a depth-buffer value: rounded to nearest, clamped to 0..2^depth_bits - 1.
+std::uint32_t depth_value(std::int32_t units, const Config& config);
 
 // One sample plane of one tile: compare, and store where the fragment wins. Early: runs before any
 // attribute is evaluated, on the same coverage bits.

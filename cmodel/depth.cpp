@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "depth_test.hpp"
+#include "depth.hpp"
 
+#include <algorithm>
 #include <bit>
 
+#include "fixed.hpp"
+
 namespace halfspace {
+
+std::uint32_t depth_value(std::int32_t units, const Config& config) {
+  const int shift = kPlaneBits - config.depth_bits;
+  const std::int64_t rounded =
+      floor_shift(std::int64_t{units} + (std::int64_t{1} << (shift - 1)), shift);
+  const std::int64_t greatest = (std::int64_t{1} << config.depth_bits) - 1;
+  return static_cast<std::uint32_t>(std::clamp<std::int64_t>(rounded, 0, greatest));
+}
 
 GridMask depth_test(GridMask covered, const TilePlane& plane, DepthFunction function,
                     DepthTile& stored, const Config& config) {

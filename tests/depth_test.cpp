@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "depth_test.hpp"
+#include "depth.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ TilePlane flat(std::uint32_t depth, const Config& config) {
   return {depth << (kPlaneBits - config.depth_bits), 0, 0};
 }
 
-TEST(DepthTest, LessKeepsTheFirstOfEqualDepths) {
+TEST(Depth, LessKeepsTheFirstOfEqualDepths) {
   DepthTile stored{};
   stored.fill(100);
   EXPECT_EQ(depth_test(~GridMask{0}, flat(100, kFull), DepthFunction::kLess, stored, kFull), 0u);
@@ -20,14 +20,14 @@ TEST(DepthTest, LessKeepsTheFirstOfEqualDepths) {
   EXPECT_EQ(stored[63], 99u);
 }
 
-TEST(DepthTest, LessEqualLetsTheLaterOfEqualDepthsWin) {
+TEST(Depth, LessEqualLetsTheLaterOfEqualDepthsWin) {
   DepthTile stored{};
   stored.fill(100);
   EXPECT_EQ(depth_test(0xff, flat(100, kFull), DepthFunction::kLessEqual, stored, kFull), 0xffu);
   EXPECT_EQ(depth_test(0xff, flat(101, kFull), DepthFunction::kLessEqual, stored, kFull), 0u);
 }
 
-TEST(DepthTest, TouchesOnlyCoveredLanes) {
+TEST(Depth, TouchesOnlyCoveredLanes) {
   DepthTile stored{};
   stored.fill(100);
   depth_test(GridMask{1} << 17, flat(5, kFull), DepthFunction::kLess, stored, kFull);
@@ -35,7 +35,7 @@ TEST(DepthTest, TouchesOnlyCoveredLanes) {
 }
 
 // Depth grows by one LSB per pixel right and eight per pixel down: each lane has its own value.
-TEST(DepthTest, LaneIsRowTimesGridPlusColumn) {
+TEST(Depth, LaneIsRowTimesGridPlusColumn) {
   for (const Config& config : {kFull, kTiny}) {
     DepthTile stored{};
     stored.fill(0xffffff);
@@ -49,6 +49,13 @@ TEST(DepthTest, LaneIsRowTimesGridPlusColumn) {
       }
     }
   }
+}
+
+TEST(Depth, ValueIsRoundedToNearestAndClamped) {
+  EXPECT_EQ(depth_value(-1, kFull), 0u);
+  EXPECT_EQ(depth_value(31, kFull), 0u);
+  EXPECT_EQ(depth_value(32, kFull), 1u);
+  EXPECT_EQ(depth_value(INT32_MAX, kFull), (1u << 24) - 1);
 }
 
 }  // namespace
