@@ -5,55 +5,10 @@
 #include <cmath>
 
 #include "fixed.hpp"
+#include "uncut_plane.hpp"
 
 namespace halfspace {
 namespace {
-
-double plane_bound(const ClipPlane& plane, const glm::dvec4& position) {
-  return plane.axis == 3 ? plane.limit : plane.limit * position.w;
-}
-
-double plane_distance(const ClipPlane& plane, const glm::dvec4& position) {
-  return plane.sign * (plane_bound(plane, position) - position[plane.axis]);
-}
-
-// Where the edge meets the plane. Both weights are positive, so w, positive from the first plane
-// on, suffers no cancellation, and limits that both ends keep are kept to a few units in the last
-// place. The last step makes the limit of this plane hold exactly.
-ClipVertex cut(const ClipPlane& plane, const ClipVertex& inside, double inside_distance,
-               const ClipVertex& outside, double outside_distance) {
-  const double span = inside_distance - outside_distance;
-  const double to_outside = inside_distance / span;
-  const double to_inside = -outside_distance / span;
-  ClipVertex vertex;
-  vertex.position = to_inside * inside.position + to_outside * outside.position;
-  for (std::size_t i = 0; i < kMaxAttributes; ++i) {
-    vertex.attribute[i] = to_inside * inside.attribute[i] + to_outside * outside.attribute[i];
-  }
-  vertex.position[plane.axis] = plane_bound(plane, vertex.position);
-  return vertex;
-}
-
-void clip_plane(const ClipPlane& plane, const ClipPolygon& in, ClipPolygon& out) {
-  out.count = 0;
-  const auto append = [&out](const ClipVertex& vertex) {
-    HS_CHECK(out.count < static_cast<int>(out.vertex.size()));
-    out.vertex[static_cast<std::size_t>(out.count++)] = vertex;
-  };
-  for (int i = 0; i < in.count; ++i) {
-    const ClipVertex& from = in.vertex[static_cast<std::size_t>(i)];
-    const ClipVertex& to = in.vertex[static_cast<std::size_t>(i + 1 < in.count ? i + 1 : 0)];
-    const double from_distance = plane_distance(plane, from.position);
-    const double to_distance = plane_distance(plane, to.position);
-    if (from_distance >= 0.0) append(from);
-    // Always from the inside to the outside; an inside vertex on the plane is its own cut point.
-    if (from_distance > 0.0 && to_distance < 0.0) {
-      append(cut(plane, from, from_distance, to, to_distance));
-    } else if (from_distance < 0.0 && to_distance > 0.0) {
-      append(cut(plane, to, to_distance, from, from_distance));
-    }
-  }
-}
 
 bool representable(const glm::dvec4& p) {
   // Written so that a NaN fails.
@@ -73,39 +28,6 @@ std::uint32_t round_clamped(double value, double maximum) {
 }
 
 }  // namespace
-
-ClipVolume clip_volume(const FrameState& frame, const Config& config) {
-  double left = -1.0, right = 1.0, bottom = -1.0, top = 1.0;
-  if (config.has_guard_band()) {
-    // Window x = (x/w + 1) width / 2 and y = (1 - y/w) height / 2, both within +-limit.
-    const double limit =
-        std::ldexp(static_cast<double>(config.coordinate_max()), -config.subpixel_bits);
-    right = 2.0 * limit / frame.width - 1.0;
-    left = -2.0 * limit / frame.width - 1.0;
-    top = 1.0 + 2.0 * limit / frame.height;
-    bottom = 1.0 - 2.0 * limit / frame.height;
-  }
-  return {{{3, kMinW, -1.0},
-           {2, -1.0, -1.0},
-           {2, 1.0, 1.0},
-           {0, left, -1.0},
-           {0, right, 1.0},
-           {1, bottom, -1.0},
-           {1, top, 1.0}}};
-}
-
-ClipPolygon clip(const std::array<ClipVertex, 3>& triangle, std::span<const ClipPlane> planes) {
-  ClipPolygon polygon;
-  std::copy(triangle.begin(), triangle.end(), polygon.vertex.begin());
-  polygon.count = 3;
-  ClipPolygon next;
-  for (const ClipPlane& plane : planes) {
-    clip_plane(plane, polygon, next);
-    std::swap(polygon, next);
-    if (polygon.count < 3) return {};
-  }
-  return polygon;
-}
 
 std::int64_t snap(double px, const Config& config) {
   constexpr double kFar = 1099511627776.0;  // 2^40: in subpixels still an exact int64
@@ -142,7 +64,7 @@ GeometryStage::GeometryStage(const FrameState& frame, const Config& config)
       half_width_(frame.width / 2.0),
       half_height_(frame.height / 2.0),
       depth_scale_(
-          std::ldexp((std::ldexp(1.0, config.depth_bits) - 1.0) / 2.0, kDepthFractionBits)),
+          std::ldexp(std::ldexp(1.0, config.depth_bits) - 1.0, kPlaneBits - config.depth_bits - 1)),
       tag_mask_(0xffffffffU >> (32 - config.tag_bits)) {
   HS_CHECK(frame.width >= 1 && frame.width <= config.max_size());
   HS_CHECK(frame.height >= 1 && frame.height <= config.max_size());
@@ -180,13 +102,40 @@ GeometryStage::Projected GeometryStage::project(const ClipVertex& vertex) const 
   Projected out;
   out.point = {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
   out.inverse_w = 1.0 / p.w;
-  out.attributes.depth = round_clamped((p.z / p.w + 1.0) * depth_scale_, 2.0 * depth_scale_);
+  out.attributes.depth = static_cast<std::int32_t>(
+      round_clamped((p.z / p.w + 1.0) * depth_scale_, 2.0 * depth_scale_));
   for (std::size_t i = 0; i < static_cast<std::size_t>(config_.attributes); ++i) {
     constexpr double kUnit = 1 << kAttributeFractionBits;
     out.attributes.value[i] =
-        static_cast<std::uint16_t>(round_clamped(vertex.attribute[i] * kUnit, 255.0 * kUnit));
+        static_cast<std::int32_t>(round_clamped(vertex.attribute[i] * kUnit, 255.0 * kUnit));
   }
   return out;
+}
+
+// The values that the uncut triangle's plane has at the snapped points. False, and nothing changed,
+// when a value does not fit: then the triangle is thinner than about a subpixel across.
+bool GeometryStage::take_plane(const UncutPlane& plane, std::span<Projected> polygon) const {
+  std::array<Projected, std::tuple_size_v<decltype(ClipPolygon::vertex)>> moved;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const UncutPlane::Values values = plane.at(polygon[i].point, config_.attributes);
+    moved[i].point = polygon[i].point;
+    moved[i].inverse_w = values.inverse_w;
+    bool holds = values.inverse_w > 0.0 && std::isfinite(values.inverse_w);
+    const auto rounded = [&holds](double value, std::int32_t least, std::int32_t most) {
+      const double nearest = std::floor(value + 0.5);
+      const bool fits = nearest >= least && nearest <= most;  // false for a NaN
+      holds = holds && fits;
+      return fits ? static_cast<std::int32_t>(nearest) : 0;
+    };
+    moved[i].attributes.depth = rounded(values.depth * 2.0 * depth_scale_, kDepthLeast, kDepthMost);
+    for (std::size_t n = 0; n < static_cast<std::size_t>(config_.attributes); ++n) {
+      moved[i].attributes.value[n] =
+          rounded(std::ldexp(values.attribute[n], kAttributeFractionBits), kValueLeast, kValueMost);
+    }
+    if (!holds) return false;
+  }
+  std::copy_n(moved.begin(), polygon.size(), polygon.begin());
+  return true;
 }
 
 void GeometryStage::emit(const Projected& a, const Projected& b, const Projected& c,
@@ -210,11 +159,12 @@ void GeometryStage::emit(const Projected& a, const Projected& b, const Projected
 
 // Snapping can dent a convex polygon by a fraction of a subpixel. A fan whose pieces all face the
 // same way covers every point once; a dent at one vertex leaves the fan around that vertex.
-void GeometryStage::emit_polygon(const ClipPolygon& polygon, std::uint32_t tag,
-                                 std::vector<ShadedTriangle>& out) {
+void GeometryStage::emit_polygon(const ClipPolygon& polygon, const UncutPlane& plane,
+                                 std::uint32_t tag, std::vector<ShadedTriangle>& out) {
   std::array<Projected, std::tuple_size_v<decltype(polygon.vertex)>> projected;
   const auto count = static_cast<std::size_t>(polygon.count);
   for (std::size_t i = 0; i < count; ++i) projected[i] = project(polygon.vertex[i]);
+  take_plane(plane, std::span(projected).first(count));
   const auto at = [&](std::size_t i) -> const Projected& { return projected[i % count]; };
   const auto piece_area = [&](std::size_t apex, std::size_t i) {
     return doubled_area(at(apex).point, at(apex + i).point, at(apex + i + 1).point);
@@ -268,7 +218,9 @@ void GeometryStage::process(const std::array<ClipVertex, 3>& triangle, std::uint
     return;
   }
   ++stats_.clipped;
-  emit_polygon(polygon, tag, out);
+  const double subpixels = static_cast<double>(std::int64_t{1} << config_.subpixel_bits);
+  const UncutPlane plane(triangle, half_width_ * subpixels, half_height_ * subpixels);
+  emit_polygon(polygon, plane, tag, out);
 }
 
 }  // namespace halfspace

@@ -32,6 +32,9 @@ struct ClipPlane {
   double sign = 1.0;
 };
 
+// Above 0 inside.
+double plane_distance(const ClipPlane& plane, const glm::dvec4& position);
+
 inline constexpr int kClipPlanes = 7;
 inline constexpr int kDepthPlanes = 3;  // of those, the first: w, near, far
 using ClipVolume = std::array<ClipPlane, kClipPlanes>;
@@ -66,6 +69,8 @@ std::int64_t snap(double px, const Config& config);
 inline glm::dvec2 window_position(const glm::dvec4& p, double half_width, double half_height) {
   return {(p.x / p.w + 1.0) * half_width, (1.0 - p.y / p.w) * half_height};
 }
+
+class UncutPlane;
 
 struct GeometryStats {
   std::uint64_t triangles_in = 0;
@@ -110,14 +115,15 @@ class GeometryStage {
   Projected project(const ClipVertex& vertex) const;
   void emit(const Projected& a, const Projected& b, const Projected& c, std::uint32_t tag,
             std::vector<ShadedTriangle>& out);
-  void emit_polygon(const ClipPolygon& polygon, std::uint32_t tag,
+  bool take_plane(const UncutPlane& plane, std::span<Projected> polygon) const;
+  void emit_polygon(const ClipPolygon& polygon, const UncutPlane& plane, std::uint32_t tag,
                     std::vector<ShadedTriangle>& out);
 
   Config config_;
   ClipVolume volume_;
   double half_width_;
   double half_height_;
-  double depth_scale_;  // of ndc z + 1
+  double depth_scale_;  // of ndc z + 1, units
   std::uint32_t tag_mask_;
   GeometryStats stats_;
 };

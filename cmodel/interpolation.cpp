@@ -27,8 +27,8 @@ Plane make_plane(const std::array<std::int64_t, 3>& value, const SetupTriangle& 
           gradient(d1 * setup.slope[2].b + d2 * setup.slope[0].b, shift, area)};
 }
 
-// a / 256 * inverse_w in units: U8.8 times U0.30, rounded to nearest.
-std::int64_t over_w(std::uint16_t value, std::int64_t inverse_w_units) {
+// a / 256 * inverse_w in units: S9.8 times U0.30, rounded to nearest.
+std::int64_t over_w(std::int32_t value, std::int64_t inverse_w_units) {
   constexpr int kShift = 8 + kAttributeFractionBits;
   return (std::int64_t{value} * inverse_w_units + (std::int64_t{1} << (kShift - 1))) >> kShift;
 }
@@ -44,7 +44,6 @@ InterpolationSetup interpolation_setup(const SetupTriangle& setup, const Triangl
                              std::int64_t{setup.slope[0].b} * setup.slope[1].a;
   const std::int64_t area = setup.flipped ? -cross : cross;
   HS_CHECK(area > 0);
-  const int depth_shift = kPlaneBits - config.depth_bits - kDepthFractionBits;
   const int inverse_w_shift = kPlaneBits - config.inverse_w_bits;
 
   InterpolationSetup out;
@@ -52,8 +51,8 @@ InterpolationSetup interpolation_setup(const SetupTriangle& setup, const Triangl
   std::array<std::int64_t, 3> depth{};
   std::array<std::int64_t, 3> inverse_w{};
   for (std::size_t i = 0; i < 3; ++i) {
-    HS_CHECK(attributes[i].depth >> (config.depth_bits + kDepthFractionBits) == 0);
-    depth[i] = std::int64_t{attributes[i].depth} << depth_shift;
+    depth[i] = attributes[i].depth;
+    HS_CHECK(depth[i] >= kDepthLeast && depth[i] <= kDepthMost);
     if (count == 0) continue;
     HS_CHECK(attributes[i].inverse_w >= 1 && attributes[i].inverse_w >> config.inverse_w_bits == 0);
     inverse_w[i] = std::int64_t{attributes[i].inverse_w} << inverse_w_shift;
@@ -64,8 +63,9 @@ InterpolationSetup interpolation_setup(const SetupTriangle& setup, const Triangl
   for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) {
     std::array<std::int64_t, 3> value{};
     for (std::size_t i = 0; i < 3; ++i) {
-      HS_CHECK(attributes[i].value[n] <= 255u << kAttributeFractionBits);
-      value[i] = over_w(attributes[i].value[n], inverse_w[i]);
+      const std::int32_t at = attributes[i].value[n];
+      HS_CHECK(at >= kValueLeast && at <= kValueMost);
+      value[i] = over_w(at, inverse_w[i]);
     }
     out.attribute[n] = make_plane(value, setup, area, config);
   }

@@ -18,8 +18,8 @@ namespace halfspace {
 //
 //   setup       oriented slopes, as triangle_setup() returned them for this triangle
 //   triangle    its vertices
-//   attributes  depth U<depth_bits>.6, inverse_w U0.<inverse_w_bits> (1 at least), value U8.8
-//               (ranges checked)
+//   attributes  depth in units, inverse_w U0.<inverse_w_bits> (1 at least), value S9.8 (ranges
+//               checked)
 //   count       attributes to set up, 0..config.attributes; 0 sets up depth alone
 //
 // Rounding: gradients are floor(2^(s+F) * sum(V_i A_i) / area2), exact integers.

@@ -38,15 +38,24 @@ struct Triangle {
 };
 
 inline constexpr int kMaxAttributes = 8;
-inline constexpr int kDepthFractionBits = 6;  // of a vertex's depth below the depth buffer's LSB
+
+// Every interpolated quantity is aligned to U0.30 ("units" below are 2^-30 of full scale).
+inline constexpr int kPlaneBits = 30;
 inline constexpr int kAttributeFractionBits = 8;  // of a vertex's attribute below one level of 255
+
+// What a vertex may hold. A vertex that clipping made may lie beyond the values of its triangle,
+// because snapping moved it off the triangle: by half of full scale at most.
+inline constexpr std::int32_t kDepthLeast = -(1 << (kPlaneBits - 1));
+inline constexpr std::int32_t kDepthMost = 3 * (1 << (kPlaneBits - 1)) - 1;
+inline constexpr std::int32_t kValueLeast = -(128 << kAttributeFractionBits);
+inline constexpr std::int32_t kValueMost = (384 << kAttributeFractionBits) - 1;
 
 // What interpolation needs at one vertex; made by the host, checked by interpolation_setup().
 struct VertexAttributes {
-  std::uint32_t depth = 0;      // U<depth_bits>.6: window depth 0..1 times 2^depth_bits - 1
+  std::int32_t depth = 0;       // units: window depth 0..1 times (2^depth_bits - 1) / 2^depth_bits
   std::uint32_t inverse_w = 0;  // U0.<inverse_w_bits>, scaled by one power of two per triangle so
                                 // that the greatest of the three has its top bit set; never 0
-  std::array<std::uint16_t, kMaxAttributes> value{};  // U8.8: 0..255 in units of 1/256
+  std::array<std::int32_t, kMaxAttributes> value{};  // S9.8: 0..255 in units of 1/256
   bool operator==(const VertexAttributes&) const = default;
 };
 
@@ -110,9 +119,6 @@ struct CoverageTile {
   std::uint32_t tag = 0;
   bool operator==(const CoverageTile&) const = default;
 };
-
-// Every interpolated quantity is aligned to U0.30 ("units" below are 2^-30 of full scale).
-inline constexpr int kPlaneBits = 30;
 
 // One quantity over the whole triangle. Modulo 2^64.
 struct Plane {

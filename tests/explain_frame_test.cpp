@@ -18,13 +18,14 @@ constexpr Rgb kBlack{0, 0, 0};
 ShadedTriangle numbered(const Triangle& triangle, std::uint32_t number, double depth,
                         const Config& config) {
   VertexAttributes vertex;
-  const double scale = std::ldexp(1.0, config.depth_bits + kDepthFractionBits) - 64.0;
-  vertex.depth = static_cast<std::uint32_t>(depth * scale);
+  const double scale =
+      std::ldexp(1.0, kPlaneBits) - std::ldexp(1.0, kPlaneBits - config.depth_bits);
+  vertex.depth = static_cast<std::int32_t>(depth * scale);
   vertex.inverse_w = 1u << (config.inverse_w_bits - 1);
   // Five bits a channel, in the middle of eight levels: rounding cannot reach the next number.
   for (unsigned c = 0; c < 3; ++c) {
     const unsigned level = (number >> (5 * c) & 31u) * 8 + 4;
-    vertex.value[c] = static_cast<std::uint16_t>(level << kAttributeFractionBits);
+    vertex.value[c] = static_cast<std::int32_t>(level << kAttributeFractionBits);
   }
   ShadedTriangle out{triangle, {vertex, vertex, vertex}};
   out.triangle.tag = number;

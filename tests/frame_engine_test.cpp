@@ -68,19 +68,25 @@ const std::vector<Case>& cases() {
 // Attributes of every magnitude: depths and colours alike or apart, 1/w alike or far apart.
 VertexAttributes random_attributes(Random& random, const Config& config) {
   VertexAttributes out;
-  const std::int64_t depth_most = (std::int64_t{1} << (config.depth_bits + 6)) - 1;
-  switch (random.in(0, 3)) {
-    case 0: out.depth = static_cast<std::uint32_t>(random.in(0, depth_most)); break;
-    case 1: out.depth = static_cast<std::uint32_t>(depth_most / 2 + random.in(-200, 200)); break;
-    case 2: out.depth = random.in(0, 1) != 0 ? static_cast<std::uint32_t>(depth_most) : 0; break;
-    default: out.depth = static_cast<std::uint32_t>(random.in(0, 3) * (depth_most / 3)); break;
+  const std::int64_t depth_most = (std::int64_t{1} << kPlaneBits) - 1;
+  switch (random.in(0, 4)) {
+    case 0: out.depth = static_cast<std::int32_t>(random.in(0, depth_most)); break;
+    case 1: out.depth = static_cast<std::int32_t>(depth_most / 2 + random.in(-200, 200)); break;
+    case 2: out.depth = random.in(0, 1) != 0 ? static_cast<std::int32_t>(depth_most) : 0; break;
+    case 3: out.depth = random.in(0, 1) != 0 ? kDepthLeast : kDepthMost; break;
+    default: out.depth = static_cast<std::int32_t>(random.in(0, 3) * (depth_most / 3)); break;
   }
   const auto bits = static_cast<int>(random.in(1, config.inverse_w_bits));
   const std::int64_t most = (std::int64_t{1} << bits) - 1;
   out.inverse_w = static_cast<std::uint32_t>(random.in(most / 2 + 1, most));
-  for (std::uint16_t& value : out.value) {
-    value = static_cast<std::uint16_t>(random.in(0, 2) == 0 ? random.in(0, 1) * 255 * 256
-                                                            : random.in(0, 255 * 256));
+  for (std::int32_t& value : out.value) {
+    switch (random.in(0, 5)) {
+      case 0:
+      case 1: value = random.in(0, 1) != 0 ? 255 * 256 : 0; break;
+      case 2: value = static_cast<std::int32_t>(random.in(kValueLeast, kValueMost)); break;
+      case 3: value = random.in(0, 1) != 0 ? kValueLeast : kValueMost; break;
+      default: value = static_cast<std::int32_t>(random.in(0, 255 * 256)); break;
+    }
   }
   return out;
 }

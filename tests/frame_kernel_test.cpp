@@ -98,7 +98,6 @@ struct Input {
 Input random_input(Random& random, int count, const Config& config) {
   Input out;
   const FrameState frame{config.max_size(), config.max_size(), Cull::kNone};
-  const std::int64_t depth_most = (std::int64_t{1} << (config.depth_bits + 6)) - 1;
   const std::int64_t w_most = (std::int64_t{1} << config.inverse_w_bits) - 1;
   while (out.records.size() < 3 * static_cast<std::size_t>(count)) {
     const Shape shape = kShapes[static_cast<std::size_t>(random.in(0, 9))];
@@ -112,14 +111,14 @@ Input random_input(Random& random, int count, const Config& config) {
     for (const Point p : v) {
       VertexRecord& r = out.records.emplace_back();
       r.point = p;
-      r.depth = static_cast<std::uint32_t>(kind == 0   ? depth_most / 2
-                                           : kind == 1 ? random.in(0, 1) * depth_most
-                                                       : random.in(0, depth_most));
+      r.depth = static_cast<std::int32_t>(kind == 0   ? 1 << 29
+                                          : kind == 1 ? random.in(0, 1) * kDepthMost
+                                                      : random.in(kDepthLeast, kDepthMost));
       r.inverse_w =
           static_cast<double>(kind == 2 ? w_most : random.in(kind == 3 ? 1 : w_most / 2, w_most));
       for (std::size_t n = 0; n < 3; ++n) {
-        r.value[n] =
-            static_cast<std::uint16_t>(kind == 1 ? random.in(0, 1) * 65280 : random.in(0, 65280));
+        r.set_value(n, static_cast<std::int32_t>(kind == 1 ? random.in(0, 1) * 65280
+                                                           : random.in(kValueLeast, kValueMost)));
       }
     }
   }

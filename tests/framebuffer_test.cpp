@@ -23,11 +23,11 @@ ShadedTriangle flat_triangle(std::array<std::array<double, 2>, 3> px, double dep
     const double one = 1 << config.subpixel_bits;
     t.triangle.vertex[i] = {static_cast<std::int32_t>(px[i][0] * one),
                             static_cast<std::int32_t>(px[i][1] * one)};
-    t.attributes[i].depth = static_cast<std::uint32_t>(depth * ((1u << config.depth_bits) - 1))
-                            << kDepthFractionBits;
+    t.attributes[i].depth = static_cast<std::int32_t>(depth * ((1 << config.depth_bits) - 1))
+                            << (kPlaneBits - config.depth_bits);
     t.attributes[i].inverse_w = 1u << (config.inverse_w_bits - 1);
     for (std::size_t c = 0; c < 3; ++c) {
-      t.attributes[i].value[c] = static_cast<std::uint16_t>(color[c] << kAttributeFractionBits);
+      t.attributes[i].value[c] = color[c] << kAttributeFractionBits;
     }
   }
   return t;

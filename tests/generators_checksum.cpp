@@ -77,7 +77,7 @@ void print_attributes(const Preset& preset) {
     for (const VertexAttributes& vertex : random_attributes(random, preset.config)) {
       checksum.add(std::int64_t{vertex.depth});
       checksum.add(std::int64_t{vertex.inverse_w});
-      for (const std::uint16_t value : vertex.value) checksum.add(std::int64_t{value});
+      for (const std::int32_t value : vertex.value) checksum.add(std::int64_t{value});
     }
   }
   print(preset, "attributes", checksum);

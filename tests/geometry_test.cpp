@@ -224,10 +224,10 @@ TEST(Attributes, DepthRunsFromNearZeroToFarAllOnes) {
     const auto out =
         run({vertex(0, 0, -1, 1), vertex(1, 0, 3, 3), vertex(0, 1, 0, 1)}, config, nullptr);
     ASSERT_EQ(out.size(), 1U);
-    const std::uint32_t all_ones = ((1U << bits) - 1U) * 64U;
-    EXPECT_EQ(out[0].attributes[0].depth, 0U);
+    const std::int32_t all_ones = (1 << kPlaneBits) - (1 << (kPlaneBits - bits));
+    EXPECT_EQ(out[0].attributes[0].depth, 0);
     EXPECT_EQ(out[0].attributes[1].depth, all_ones);
-    EXPECT_EQ(out[0].attributes[2].depth, all_ones / 2U);
+    EXPECT_EQ(out[0].attributes[2].depth, all_ones / 2);
   }
 }
 
@@ -238,7 +238,7 @@ TEST(Attributes, ValuesRoundAndClampAndUnusedOnesAreZero) {
   triangle[2].attribute = {1.0 / 513.0, 255.0 - 1.0 / 511.0, 254.999, 77.0};
   const auto out = run(triangle, kFull, nullptr);
   ASSERT_EQ(out.size(), 1U);
-  using Values = std::array<std::uint16_t, kMaxAttributes>;
+  using Values = std::array<std::int32_t, kMaxAttributes>;
   EXPECT_EQ(out[0].attributes[0].value, (Values{65280, 65280, 0}));
   EXPECT_EQ(out[0].attributes[1].value, (Values{32640, 1, 0}));
   EXPECT_EQ(out[0].attributes[2].value, (Values{0, 65279, 65280}));

@@ -36,11 +36,11 @@ std::array<VertexAttributes, 3> pack(const RealTriangle& t, const Config& config
   const double one = std::ldexp(1.0, config.inverse_w_bits);
   std::array<VertexAttributes, 3> out;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double depth_scale = (std::ldexp(1.0, config.depth_bits) - 1) * 64;
-    out[i].depth = static_cast<std::uint32_t>(std::nearbyint(t.depth[i] * depth_scale));
+    const double depth_scale = std::ldexp(1.0, 30) - std::ldexp(1.0, 30 - config.depth_bits);
+    out[i].depth = static_cast<std::int32_t>(std::nearbyint(t.depth[i] * depth_scale));
     const double inverse_w = std::nearbyint(std::ldexp(1 / t.w[i], -exponent) * one);
     out[i].inverse_w = static_cast<std::uint32_t>(std::clamp(inverse_w, 1.0, one - 1));
-    out[i].value[0] = static_cast<std::uint16_t>(std::nearbyint(t.attribute[i] * 256));
+    out[i].value[0] = static_cast<std::int32_t>(std::nearbyint(t.attribute[i] * 256));
   }
   return out;
 }

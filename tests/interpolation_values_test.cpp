@@ -32,7 +32,7 @@ TEST(InterpolationDeathTest, RefusesPacketsOutOfRange) {
   std::array<VertexAttributes, 3> a{};
   EXPECT_DEATH(interpolation_setup(setup, t, a, 1, kFull), "inverse_w");
   for (VertexAttributes& v : a) v.inverse_w = 1;
-  a[1].depth = 1u << 30;
+  a[1].depth = kDepthMost + 1;
   EXPECT_DEATH(interpolation_setup(setup, t, a, 0, kFull), "depth");
 }
 

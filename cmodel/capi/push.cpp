@@ -45,10 +45,10 @@ ShadedTriangle plain(const std::array<std::int64_t, 6>& xy, std::uint32_t tag,
   }
   check_extent(out.triangle, config);
   VertexAttributes vertex;
-  vertex.depth = 1u << (config.depth_bits + kDepthFractionBits - 1);
+  vertex.depth = 1 << (kPlaneBits - 1);
   vertex.inverse_w = 1u << (config.inverse_w_bits - 1);
   for (int i = 0; i < config.attributes; ++i) {
-    vertex.value[static_cast<std::size_t>(i)] = 255u << kAttributeFractionBits;
+    vertex.value[static_cast<std::size_t>(i)] = 255 << kAttributeFractionBits;
   }
   out.attributes.fill(vertex);
   return out;
@@ -60,8 +60,11 @@ ShadedTriangle plain(const std::int32_t* xy, std::uint32_t tag, const Config& co
   return plain(wide, tag, config);
 }
 
+constexpr int kDepthFractionBits = 6;  // of hs_vertex::depth
+
 VertexAttributes checked(const hs_vertex& vertex, const Config& config) {
-  const std::int64_t depth_max = (std::int64_t{1} << (config.depth_bits + kDepthFractionBits)) - 1;
+  const int depth_bits = config.depth_bits + kDepthFractionBits;
+  const std::int64_t depth_max = (std::int64_t{1} << depth_bits) - 1;
   const std::int64_t w_max = (std::int64_t{1} << config.inverse_w_bits) - 1;
   constexpr int kValueMax = 255 << kAttributeFractionBits;
   if (vertex.depth > depth_max) out_of_range("depth", std::to_string(vertex.depth), 0, depth_max);
@@ -69,7 +72,7 @@ VertexAttributes checked(const hs_vertex& vertex, const Config& config) {
     out_of_range("inverse_w", std::to_string(vertex.inverse_w), 1, w_max);
   }
   VertexAttributes out;
-  out.depth = vertex.depth;
+  out.depth = static_cast<std::int32_t>(vertex.depth << (kPlaneBits - depth_bits));
   out.inverse_w = vertex.inverse_w;
   for (std::size_t i = 0; i < static_cast<std::size_t>(config.attributes); ++i) {
     if (vertex.value[i] > kValueMax) {

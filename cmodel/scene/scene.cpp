@@ -137,14 +137,14 @@ class MeshScene : public Scene {
 };
 
 // A colour per triangle, spread around the hue circle by the golden angle.
-std::array<std::uint16_t, kMaxAttributes> triangle_color(std::size_t index) {
-  std::array<std::uint16_t, kMaxAttributes> out{};
+std::array<std::int32_t, kMaxAttributes> triangle_color(std::size_t index) {
+  std::array<std::int32_t, kMaxAttributes> out{};
   const double hue = std::fmod(static_cast<double>(index) * 0.618033988749895, 1.0);
   for (int c = 0; c < 3; ++c) {
     const double phase = std::fmod(hue + static_cast<double>(c) / 3.0, 1.0);
     const double level = 150.0 + 90.0 * std::cos(2.0 * 3.14159265358979 * phase);
     out[static_cast<std::size_t>(c)] =
-        static_cast<std::uint16_t>(std::lround(level * (1 << kAttributeFractionBits)));
+        static_cast<std::int32_t>(std::lround(level * (1 << kAttributeFractionBits)));
   }
   return out;
 }
@@ -180,7 +180,7 @@ class TcovScene : public Scene {
     const WallClock::time_point start = WallClock::now();
     for (std::size_t i = 0; i < input.triangles.size(); ++i) {
       VertexAttributes vertex;
-      vertex.depth = 1u << (config.depth_bits + kDepthFractionBits - 1);
+      vertex.depth = 1 << (kPlaneBits - 1);
       vertex.inverse_w = 1u << (config.inverse_w_bits - 1);
       vertex.value = triangle_color(i);
       sink({input.triangles[i], {vertex, vertex, vertex}});

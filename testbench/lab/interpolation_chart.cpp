@@ -50,9 +50,10 @@ std::array<VertexAttributes, 3> invented_attributes(Random& random, const Config
     const double part = std::ldexp(static_cast<double>(random.in(0, 1 << 20)), -20);
     const double w = i == 0 ? 1.0 : 1.0 + part * (kGreatestRatio - 1.0);
     out[i].inverse_w = static_cast<std::uint32_t>(most / w);
-    out[i].depth = static_cast<std::uint32_t>(
-        random.in(0, (std::int64_t{1} << (config.depth_bits + kDepthFractionBits)) - 64));
-    out[i].value[0] = static_cast<std::uint16_t>(random.in(0, 255 << kAttributeFractionBits));
+    const int unit = kPlaneBits - config.depth_bits;  // log2 of an LSB
+    out[i].depth =
+        static_cast<std::int32_t>(random.in(0, (std::int64_t{1} << kPlaneBits) - (1 << unit)));
+    out[i].value[0] = static_cast<std::int32_t>(random.in(0, 255 << kAttributeFractionBits));
   }
   return out;
 }
@@ -85,7 +86,7 @@ Exact exact_at(const ShadedTriangle& t, int x, int y, const Config& config) {
     depth += sign * weight[i] * a.depth;
   }
   return {ratio(over_w, inverse_w * (1 << kAttributeFractionBits)),
-          ratio(depth, sign * sum * (1 << kDepthFractionBits))};
+          ratio(depth, sign * sum * (Wide{1} << (kPlaneBits - config.depth_bits)))};
 }
 
 void measure(const ShadedTriangle& t, const FrameState& frame, const Config& config,

@@ -32,13 +32,13 @@ std::array<VertexAttributes, 3> packed(const Facet& facet, const Config& config)
   std::frexp(1 / std::min({facet[0].w, facet[1].w, facet[2].w}), &exponent);
   for (std::size_t i = 0; i < 3; ++i) {
     const double scale =
-        std::ldexp(1.0, kDepthFractionBits) * (std::ldexp(1.0, config.depth_bits) - 1);
-    out[i].depth = rounded(facet[i].z * scale, scale);
+        std::ldexp(std::ldexp(1.0, config.depth_bits) - 1, kPlaneBits - config.depth_bits);
+    out[i].depth = static_cast<std::int32_t>(rounded(facet[i].z * scale, scale));
     out[i].inverse_w =
         std::max(1u, rounded(std::ldexp(1 / facet[i].w, config.inverse_w_bits - exponent),
                              static_cast<double>((1u << config.inverse_w_bits) - 1)));
     for (std::size_t c = 0; c < 3; ++c) {
-      out[i].value[c] = static_cast<std::uint16_t>(rounded(facet[i].color[c] * 256, 255 * 256));
+      out[i].value[c] = static_cast<std::int32_t>(rounded(facet[i].color[c] * 256, 255 * 256));
     }
   }
   return out;

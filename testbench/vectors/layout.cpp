@@ -147,10 +147,10 @@ Layout interpolation_in_layout(const Config& config) {
   layout.push_back({"vertex0.x", config.vertex_bits(), true});
   layout.push_back({"vertex0.y", config.vertex_bits(), true});
   for (int i = 0; i < 3; ++i) {
-    layout.push_back({fmt::format("depth{}", i), config.depth_bits + kDepthFractionBits, false});
+    layout.push_back({fmt::format("depth{}", i), kPlaneBits + 2, true});
     layout.push_back({fmt::format("inverse_w{}", i), config.inverse_w_bits, false});
     for (int n = 0; n < config.attributes; ++n) {
-      layout.push_back({fmt::format("value{}.{}", i, n), 8 + kAttributeFractionBits, false});
+      layout.push_back({fmt::format("value{}.{}", i, n), 10 + kAttributeFractionBits, true});
     }
   }
   layout.push_back({"x", config.viewport_bits, false});

@@ -107,8 +107,11 @@ std::string interpolation_fault(const InterpolationInput& in, const Config& conf
   if ((in.setup.flipped ? -cross : cross) <= 0) return "the triangle has no area, or is flipped";
   for (const VertexAttributes& vertex_attributes : in.attributes) {
     if (vertex_attributes.inverse_w == 0) return "inverse_w is 0";
-    for (const std::uint16_t value : vertex_attributes.value) {
-      if (value > 255u << kAttributeFractionBits) return "a value is above 255";
+    if (vertex_attributes.depth < kDepthLeast || vertex_attributes.depth > kDepthMost) {
+      return "a depth is out of range";
+    }
+    for (const std::int32_t value : vertex_attributes.value) {
+      if (value < kValueLeast || value > kValueMost) return "a value is out of range";
     }
   }
   const int last = config.grid() - 1;
@@ -172,10 +175,10 @@ InterpolationInput interpolation_input_of(const Values& ports, const Config& con
   out.triangle.vertex[0].x = take.word();
   out.triangle.vertex[0].y = take.word();
   for (VertexAttributes& vertex : out.attributes) {
-    vertex.depth = take.unsigned_word();
+    vertex.depth = take.word();
     vertex.inverse_w = take.unsigned_word();
     for (std::size_t n = 0; n < static_cast<std::size_t>(config.attributes); ++n) {
-      vertex.value[n] = static_cast<std::uint16_t>(take.next());
+      vertex.value[n] = take.word();
     }
   }
   out.x = take.word();

@@ -120,13 +120,13 @@ int count_leaves(const Triangle& triangle, const FrameState& frame, const Config
 std::array<VertexAttributes, 3> random_attributes(Random& random, const Config& config) {
   std::array<VertexAttributes, 3> out;
   const std::int64_t depth_most =
-      (std::int64_t{1} << (config.depth_bits + kDepthFractionBits)) - (1 << kDepthFractionBits);
+      (std::int64_t{1} << kPlaneBits) - (1 << (kPlaneBits - config.depth_bits));
   const std::int64_t w_most = (std::int64_t{1} << config.inverse_w_bits) - 1;
   for (VertexAttributes& vertex : out) {
-    vertex.depth = static_cast<std::uint32_t>(random.in(0, depth_most));
+    vertex.depth = static_cast<std::int32_t>(random.in(0, depth_most));
     vertex.inverse_w = static_cast<std::uint32_t>(random.in(1, w_most));
     for (std::size_t n = 0; n < static_cast<std::size_t>(config.attributes); ++n) {
-      vertex.value[n] = static_cast<std::uint16_t>(random.in(0, 255 << kAttributeFractionBits));
+      vertex.value[n] = static_cast<std::int32_t>(random.in(0, 255 << kAttributeFractionBits));
     }
   }
   // The greatest of the three has its top bit set.

@@ -9,8 +9,8 @@ namespace halfspace {
 namespace {
 
 constexpr std::array<std::string_view, kVectorStages> kStageNames{
-    "rasterizer", "triangle_setup", "half_plane_grid", "tile_traversal",
-    "coverage",   "interpolation",  "depth"};
+    "rasterizer",    "triangle_setup", "half_plane_grid", "tile_traversal", "coverage",
+    "interpolation", "depth"};
 
 void append(Layout& layout, const Layout& more) {
   layout.insert(layout.end(), more.begin(), more.end());

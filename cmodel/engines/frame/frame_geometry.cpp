@@ -14,7 +14,7 @@ ProjectConstants project_constants(const FrameState& frame, const Config& config
   out.half_width = frame.width / 2.0;
   out.half_height = frame.height / 2.0;
   out.depth_scale =
-      std::ldexp((std::ldexp(1.0, config.depth_bits) - 1.0) / 2.0, kDepthFractionBits);
+      std::ldexp(std::ldexp(1.0, config.depth_bits) - 1.0, kPlaneBits - config.depth_bits - 1);
   out.subpixels = static_cast<double>(std::int64_t{1} << config.subpixel_bits);
   out.snap = config.snap;
   out.colors = std::min(config.attributes, 3);
@@ -50,7 +50,8 @@ void Assembly::append(const ShadedTriangle& shaded, int colors) {
     to.point = shaded.triangle.vertex[i];
     to.inverse_w = static_cast<double>(from.inverse_w);
     to.depth = from.depth;
-    for (std::size_t n = 0; n < static_cast<std::size_t>(colors); ++n) to.value[n] = from.value[n];
+    for (std::size_t n = 0; n < static_cast<std::size_t>(colors); ++n)
+      to.set_value(n, from.value[n]);
   }
 }
 

@@ -25,7 +25,7 @@ struct ProjectConstants {
   ClipVolume volume;
   double half_width = 0;   // px
   double half_height = 0;  // px
-  double depth_scale = 0;  // of ndc z + 1
+  double depth_scale = 0;  // of ndc z + 1, units
   double subpixels = 0;    // 2^s
   SnapMode snap = SnapMode::kNearestEven;
   int colors = 3;  // attributes that are colours, 0..3

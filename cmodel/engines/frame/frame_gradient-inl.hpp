@@ -67,19 +67,31 @@ HWY_INLINE VQuad gradient(VQuad d1, std::int64_t s1, VQuad d2, std::int64_t s2, 
   return hn::Sub(g, hn::ShiftRight<63>(rest));
 }
 
-// Four values of a vertex, red, green, blue and 0, in as many vectors as they fill.
+// What a vertex's fields exceed its values by; less 1 in the place of 1/w: 1/w over 1.
+inline constexpr std::int64_t kFieldZero[kShades] = {-kValueLeast, -kValueLeast, -kValueLeast,
+                                                     -65536};
+
+// Four values of a vertex, red, green, blue and 1, in as many vectors as they fill.
 struct QuadValues {
   VQuad part[kShades / kQuadLanes];
 };
 
 HWY_INLINE QuadValues load_values(const VertexRecord& vertex) {
+  constexpr int kBits = static_cast<int>(VertexRecord::kFieldBits);
 #if HALFSPACE_AVX512 || HALFSPACE_AVX2
-  const auto* from = reinterpret_cast<const __m128i*>(vertex.value.data());
-  return {{VQuad{_mm256_cvtepu16_epi64(_mm_loadl_epi64(from))}}};
+  const __m256i fields = _mm256_srlv_epi64(_mm256_set1_epi64x(static_cast<long long>(vertex.value)),
+                                           _mm256_setr_epi64x(0, kBits, 2 * kBits, 3 * kBits));
+  const __m256i value =
+      _mm256_and_si256(fields, _mm256_set1_epi64x(static_cast<long long>(VertexRecord::kField)));
+  const auto* zero = reinterpret_cast<const __m256i*>(kFieldZero);
+  return {{VQuad{_mm256_sub_epi64(value, _mm256_loadu_si256(zero))}}};
 #else
   const DQuad d;
-  alignas(16)
-      const std::uint64_t value[kShades] = {vertex.value[0], vertex.value[1], vertex.value[2], 0};
+  alignas(16) std::uint64_t value[kShades];
+  for (std::size_t i = 0; i < kShades; ++i) {
+    value[i] = (vertex.value >> (kBits * static_cast<int>(i)) & VertexRecord::kField) -
+               static_cast<std::uint64_t>(kFieldZero[i]);
+  }
   QuadValues out;
   for (std::size_t i = 0; i < kShades; i += kQuadLanes) {
     out.part[i / kQuadLanes] = hn::Load(d, value + i);
@@ -88,15 +100,14 @@ HWY_INLINE QuadValues load_values(const VertexRecord& vertex) {
 #endif
 }
 
-// 1 in place of a vertex's 0: 1/w over 1.
-inline constexpr std::uint64_t kOne[kShades] = {0, 0, 0, 65536};
-
-// Attributes over w and 1/w, units: over_w() of interpolation.cpp.
-HWY_INLINE VQuad units_over_w(VQuad value, std::size_t at, std::uint32_t inverse_w) {
+// Attributes over w and 1/w, units: over_w() of interpolation.cpp. A value may be negative, and
+// there is no shift of 64 bits that keeps the sign: the sum is made positive before.
+HWY_INLINE VQuad units_over_w(VQuad value, std::uint32_t inverse_w) {
   const DQuad d;
-  const VQuad product =
-      mul_low(hn::Or(value, hn::LoadU(d, kOne + at)), hn::Set(d, std::uint64_t{inverse_w}));
-  return hn::ShiftRight<16>(hn::Add(product, hn::Set(d, std::uint64_t{1} << 15)));
+  constexpr std::uint64_t kHalf = std::uint64_t{1} << 15, kPositive = std::uint64_t{1} << 62;
+  const VQuad product = mul_signed(value, hn::Set(d, std::uint64_t{inverse_w}));
+  return hn::Sub(hn::ShiftRight<16>(hn::Add(product, hn::Set(d, kPositive + kHalf))),
+                 hn::Set(d, kPositive >> 16));
 }
 
 // The planes of red, green, blue and 1/w.
@@ -118,7 +129,7 @@ HWY_INLINE void triangle_planes(const FrameConstants& c, const FrameTriangle& tr
   auto wild = hn::Zero(dd);
   for (std::size_t at = 0; at < kShades; at += kQuadLanes) {
     const auto units = [&](std::size_t i) HWY_ATTR {
-      return units_over_w(value[i].part[at / kQuadLanes], at, inverse_w[i] << up);
+      return units_over_w(value[i].part[at / kQuadLanes], inverse_w[i] << up);
     };
     const VQuad v0 = units(0);
     const VQuad d1 = hn::Sub(units(1), v0);

@@ -23,7 +23,7 @@ struct EightRecords {
   __m512i point;      // x in the low half, y in the high half
   __m512i inverse_w;  // double
   __m512i depth;      // in the low half
-  __m512i value;      // red lowest, 16 bits each
+  __m512i value;      // VertexRecord's
 };
 
 HWY_INLINE EightRecords load_vertices(const FrameTriangle* triangle, std::size_t vertex) {
@@ -120,10 +120,9 @@ HWY_INLINE void eight_depth_planes(const FrameConstants& c, const FrameTriangle*
                                    FramePlane* HWY_RESTRICT out) {
   const EightRecords v[3] = {load_vertices(triangles, 0), load_vertices(triangles, 1),
                              load_vertices(triangles, 2)};
-  const __m128i up = _mm_cvtsi32_si128(kPlaneBits - c.config.depth_bits - kDepthFractionBits);
   const __m512i low = _mm512_set1_epi64(0xffffffff);
   const auto value = [&](std::size_t i) HWY_ATTR {
-    return _mm512_sll_epi64(_mm512_and_si512(v[i].depth, low), up);
+    return _mm512_srai_epi64(_mm512_slli_epi64(v[i].depth, 32), 32);
   };
   __mmask8 wild = 0;
   const EightPlanes plane = eight_planes(value(0), value(1), value(2), eight_edges(v, c), c, wild);
@@ -191,11 +190,13 @@ HWY_INLINE void eight_shade_planes(const FrameConstants& c, const FrameTriangle*
   for (unsigned n = 0; n < kShades; ++n) {
     // units_over_w(); 1/w itself for the last.
     const auto units = [&](std::size_t i) HWY_ATTR {
-      const __m512i value =
-          _mm512_and_si512(_mm512_srli_epi64(v[i].value, 16 * n), _mm512_set1_epi64(0xffff));
-      const __m512i product = _mm512_mul_epu32(value, inverse_w[i]);
-      return n == 3 ? inverse_w[i]
-                    : _mm512_srli_epi64(_mm512_add_epi64(product, _mm512_set1_epi64(1 << 15)), 16);
+      if (n == 3) return inverse_w[i];
+      const __m512i field =
+          _mm512_and_si512(_mm512_srli_epi64(v[i].value, VertexRecord::kFieldBits * n),
+                           _mm512_set1_epi64(static_cast<long long>(VertexRecord::kField)));
+      const __m512i value = _mm512_add_epi64(field, _mm512_set1_epi64(kValueLeast));
+      const __m512i product = _mm512_mul_epi32(value, inverse_w[i]);
+      return _mm512_srai_epi64(_mm512_add_epi64(product, _mm512_set1_epi64(1 << 15)), 16);
     };
     const EightPlanes plane = eight_planes(units(0), units(1), units(2), e, c, wild);
     word[0][n] = plane.origin;

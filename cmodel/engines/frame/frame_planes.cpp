@@ -13,7 +13,7 @@ InterpolationSetup plain_planes(const FrameTriangle& triangle, const FrameConsta
     points.vertex[i] = vertex.point;
     attributes[i].depth = vertex.depth;
     attributes[i].inverse_w = inverse_w[i];
-    for (std::size_t n = 0; n < 3; ++n) attributes[i].value[n] = vertex.value[n];
+    for (std::size_t n = 0; n < 3; ++n) attributes[i].value[n] = vertex.value_of(n);
   }
   SetupTriangle setup;
   const FrameEdges edges = frame_edges(triangle, constants);

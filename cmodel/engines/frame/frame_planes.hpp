@@ -110,10 +110,7 @@ FramePlane plain_depth_plane(const FrameTriangle& triangle, const FrameConstants
 // The depth plane of a triangle that covers a sample.
 inline FramePlane depth_plane(const FrameTriangle& triangle, const FrameConstants& c) {
   const FrameEdges e = frame_edges(triangle, c);
-  const int up = kPlaneBits - c.config.depth_bits - kDepthFractionBits;
-  const auto value = [&](std::size_t i) {
-    return static_cast<std::int64_t>(triangle.vertex[i]->depth) << up;
-  };
+  const auto value = [&](std::size_t i) { return std::int64_t{triangle.vertex[i]->depth}; };
   const std::int64_t d1 = value(1) - value(0);
   const std::int64_t d2 = value(2) - value(0);
   const int shift = c.config.subpixel_bits + c.gradient_bits;

@@ -133,11 +133,12 @@ HWY_INLINE void project_lanes(const ProjectConstants& c, const ClipLanes& lanes,
   word[1] = hn::BitCast(d64, hn::Div(one, p[3]));
   word[2] = hn::Or(hn::And(rounded(z, 2.0 * c.depth_scale), low),
                    hn::ShiftLeft<32>(outside_bits(c, lanes.position)));
-  word[3] = hn::Zero(d64);
+  word[3] = hn::Set(d64, VertexRecord::kNoValues);
   constexpr double kUnit = 1 << kAttributeFractionBits;
   for (int n = 0; n < c.colors; ++n) {
     const V64 value = rounded(hn::Mul(lanes.color[n], hn::Set(d, kUnit)), 255.0 * kUnit);
-    word[3] = hn::Or(word[3], hn::ShiftLeftSame(value, 16 * n));
+    word[3] =
+        hn::Add(word[3], hn::ShiftLeftSame(value, n * static_cast<int>(VertexRecord::kFieldBits)));
   }
   store_records(word, out);
 }

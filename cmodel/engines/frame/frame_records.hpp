@@ -17,10 +17,25 @@ namespace halfspace {
 struct alignas(32) VertexRecord {
   Point point;                // S.s px
   double inverse_w = 0;       // real; for a triangle packed already, its inverse_w
-  std::uint32_t depth = 0;    // U<depth_bits>.6
+  std::int32_t depth = 0;     // units
   std::uint16_t outside = 0;  // bits 0..6: planes, 7..10: sides of the frame, 15: not finite
   std::uint16_t unused = 0;
-  std::array<std::uint16_t, 4> value{};  // U8.8 red, green, blue; 0
+  std::uint64_t value = kNoValues;  // red, green, blue: a field each, less kValueLeast
+
+  std::int32_t value_of(std::size_t n) const {
+    return static_cast<std::int32_t>(value >> (kFieldBits * n) & kField) + kValueLeast;
+  }
+  void set_value(std::size_t n, std::int32_t to) {
+    const std::size_t shift = kFieldBits * n;
+    value = (value & ~(kField << shift)) | static_cast<std::uint64_t>(to - kValueLeast) << shift;
+  }
+
+  static constexpr std::size_t kFieldBits = 21;
+  static constexpr std::uint64_t kField = (1u << kFieldBits) - 1;
+  // 0 in each field.
+  static constexpr std::uint64_t kNoValues =
+      std::uint64_t{-kValueLeast} *
+      (1 + (std::uint64_t{1} << kFieldBits) + (std::uint64_t{1} << (2 * kFieldBits)));
 };
 static_assert(sizeof(VertexRecord) == 32);
 inline constexpr std::uint16_t kOutsidePlanes = 0x7f;

@@ -71,10 +71,12 @@ void project_scalar(const ProjectConstants& constants, const VertexSource& sourc
     const std::int64_t y = snap((1.0 - p.y / p.w) * constants.half_height, config);
     to.point = {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
     to.inverse_w = 1.0 / p.w;
-    to.depth = rounded((p.z / p.w + 1.0) * constants.depth_scale, 2.0 * constants.depth_scale);
+    to.depth = static_cast<std::int32_t>(
+        rounded((p.z / p.w + 1.0) * constants.depth_scale, 2.0 * constants.depth_scale));
     for (std::size_t n = 0; n < static_cast<std::size_t>(constants.colors); ++n) {
       constexpr double kUnit = 1 << kAttributeFractionBits;
-      to.value[n] = static_cast<std::uint16_t>(rounded(vertex.attribute[n] * kUnit, 255.0 * kUnit));
+      to.set_value(n,
+                   static_cast<std::int32_t>(rounded(vertex.attribute[n] * kUnit, 255.0 * kUnit)));
     }
   }
 }

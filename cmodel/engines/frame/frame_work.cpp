@@ -87,11 +87,11 @@ void FrameEngine::Work::check(std::span<const ShadedTriangle> triangles) const {
   const Config& config = constants_.config;
   for (const ShadedTriangle& triangle : triangles) {
     for (const VertexAttributes& vertex : triangle.attributes) {
-      HS_CHECK(vertex.depth >> (config.depth_bits + kDepthFractionBits) == 0);
+      HS_CHECK(vertex.depth >= kDepthLeast && vertex.depth <= kDepthMost);
       if (constants_.colors == 0) continue;
       HS_CHECK(vertex.inverse_w >= 1 && vertex.inverse_w >> config.inverse_w_bits == 0);
       for (std::size_t n = 0; n < static_cast<std::size_t>(constants_.colors); ++n) {
-        HS_CHECK(vertex.value[n] <= 255u << kAttributeFractionBits);
+        HS_CHECK(vertex.value[n] >= kValueLeast && vertex.value[n] <= kValueMost);
       }
     }
   }
