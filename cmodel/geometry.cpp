@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <tuple>
 
 #include "fixed.hpp"
 #include "uncut_plane.hpp"
@@ -158,10 +160,13 @@ void GeometryStage::emit(const Projected& a, const Projected& b, const Projected
 }
 
 // Snapping can dent a convex polygon by a fraction of a subpixel. A fan whose pieces all face the
-// same way covers every point once; a dent at one vertex leaves the fan around that vertex.
+// same way covers every point once; a dent at one vertex leaves the fan around that vertex. Which
+// vertex that is, and the order of the pieces, do not depend on where the polygon begins nor on the
+// way it winds.
 void GeometryStage::emit_polygon(const ClipPolygon& polygon, const UncutPlane& plane,
                                  std::uint32_t tag, std::vector<ShadedTriangle>& out) {
   std::array<Projected, std::tuple_size_v<decltype(polygon.vertex)>> projected;
+  std::array<std::size_t, std::tuple_size_v<decltype(polygon.vertex)>> sorted{};
   const auto count = static_cast<std::size_t>(polygon.count);
   for (std::size_t i = 0; i < count; ++i) projected[i] = project(polygon.vertex[i]);
   take_plane(plane, std::span(projected).first(count));
@@ -169,19 +174,24 @@ void GeometryStage::emit_polygon(const ClipPolygon& polygon, const UncutPlane& p
   const auto piece_area = [&](std::size_t apex, std::size_t i) {
     return doubled_area(at(apex).point, at(apex + i).point, at(apex + i + 1).point);
   };
+  const auto before = [&](std::size_t i, std::size_t j) { return key(at(i)) < key(at(j)); };
 
-  std::size_t apex = 0;
+  std::iota(sorted.begin(), sorted.begin() + polygon.count, std::size_t{0});
+  std::sort(sorted.begin(), sorted.begin() + polygon.count, before);
+  std::size_t apex = sorted[0];
   for (std::size_t candidate = 0; candidate < count; ++candidate) {
     bool positive = false, negative = false;
     for (std::size_t i = 1; i + 1 < count; ++i) {
-      positive = positive || piece_area(candidate, i) > 0;
-      negative = negative || piece_area(candidate, i) < 0;
+      positive = positive || piece_area(sorted[candidate], i) > 0;
+      negative = negative || piece_area(sorted[candidate], i) < 0;
     }
     if (positive && negative) continue;
-    apex = candidate;
+    apex = sorted[candidate];
     break;
   }
-  for (std::size_t i = 1; i + 1 < count; ++i) {
+  const bool backwards = before(apex + count - 1, apex + 1);
+  for (std::size_t n = 1; n + 1 < count; ++n) {
+    const std::size_t i = backwards ? count - 1 - n : n;
     if (piece_area(apex, i) != 0) emit(at(apex), at(apex + i), at(apex + i + 1), tag, out);
   }
 }

@@ -12,6 +12,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "config.hpp"
@@ -109,6 +110,11 @@ class GeometryStage {
     double inverse_w = 0.0;
     VertexAttributes attributes;
   };
+
+  // An order of projected vertices.
+  static auto key(const Projected& v) {
+    return std::tie(v.point.y, v.point.x, v.inverse_w, v.attributes.depth, v.attributes.value);
+  }
 
   unsigned outside_planes(const glm::dvec4& position) const;
   bool beyond_sides(const ClipPolygon& polygon) const;

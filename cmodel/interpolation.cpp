@@ -16,13 +16,13 @@ std::uint64_t gradient(std::int64_t numerator, int shift, std::int64_t denominat
 
 // The plane through three vertex values (units): vertex i is opposite edge (i + 1) mod 3, so its
 // weight changes by A of that edge over the doubled area.
-Plane make_plane(const std::array<std::int64_t, 3>& value, const SetupTriangle& setup,
-                 std::int64_t area, const Config& config) {
-  // The slopes of all edges sum to zero, so differences to vertex 0 suffice.
+Plane make_plane(const std::array<std::int64_t, 3>& value, std::size_t origin,
+                 const SetupTriangle& setup, std::int64_t area, const Config& config) {
+  // The slopes of all edges sum to zero, so differences to any vertex give the same sum.
   const std::int64_t d1 = value[1] - value[0];
   const std::int64_t d2 = value[2] - value[0];
   const int shift = config.subpixel_bits + config.gradient_bits;
-  return {static_cast<std::uint64_t>(value[0]) << config.gradient_bits,
+  return {static_cast<std::uint64_t>(value[origin]) << config.gradient_bits,
           gradient(d1 * setup.slope[2].a + d2 * setup.slope[0].a, shift, area),
           gradient(d1 * setup.slope[2].b + d2 * setup.slope[0].b, shift, area)};
 }
@@ -47,7 +47,8 @@ InterpolationSetup interpolation_setup(const SetupTriangle& setup, const Triangl
   const int inverse_w_shift = kPlaneBits - config.inverse_w_bits;
 
   InterpolationSetup out;
-  out.origin = triangle.vertex[0];
+  const std::size_t origin = first_vertex(triangle.vertex);
+  out.origin = triangle.vertex[origin];
   std::array<std::int64_t, 3> depth{};
   std::array<std::int64_t, 3> inverse_w{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -57,9 +58,9 @@ InterpolationSetup interpolation_setup(const SetupTriangle& setup, const Triangl
     HS_CHECK(attributes[i].inverse_w >= 1 && attributes[i].inverse_w >> config.inverse_w_bits == 0);
     inverse_w[i] = std::int64_t{attributes[i].inverse_w} << inverse_w_shift;
   }
-  out.depth = make_plane(depth, setup, area, config);
+  out.depth = make_plane(depth, origin, setup, area, config);
   if (count == 0) return out;
-  out.inverse_w = make_plane(inverse_w, setup, area, config);
+  out.inverse_w = make_plane(inverse_w, origin, setup, area, config);
   for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) {
     std::array<std::int64_t, 3> value{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -67,7 +68,7 @@ InterpolationSetup interpolation_setup(const SetupTriangle& setup, const Triangl
       HS_CHECK(at >= kValueLeast && at <= kValueMost);
       value[i] = over_w(at, inverse_w[i]);
     }
-    out.attribute[n] = make_plane(value, setup, area, config);
+    out.attribute[n] = make_plane(value, origin, setup, area, config);
   }
   return out;
 }
@@ -76,7 +77,7 @@ TilePlane tile_plane(const Plane& plane, Point origin, std::int32_t x, std::int3
                      const Config& config) {
   const int f = config.position_bits();
   const int up = f - config.subpixel_bits;
-  // From vertex 0 to the first pixel's centre, S.f px.
+  // From the origin to the first pixel's centre, S.f px.
   const auto distance = [f, up](std::int32_t pixel, std::int32_t vertex) {
     return (std::int64_t{pixel} << f) + (std::int64_t{1} << (f - 1)) - (std::int64_t{vertex} << up);
   };
@@ -87,7 +88,7 @@ TilePlane tile_plane(const Plane& plane, Point origin, std::int32_t x, std::int3
   };
   const int F = config.gradient_bits;
   const std::uint64_t half = F > 0 ? std::uint64_t{1} << (F - 1) : 0;
-  return {static_cast<std::uint32_t>(floor_mod(plane.at_vertex0 + floor_mod(sum, f), F)),
+  return {static_cast<std::uint32_t>(floor_mod(plane.at_origin + floor_mod(sum, f), F)),
           static_cast<std::uint32_t>(floor_mod(plane.dx + half, F)),
           static_cast<std::uint32_t>(floor_mod(plane.dy + half, F))};
 }

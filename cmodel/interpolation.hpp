@@ -14,7 +14,7 @@
 
 namespace halfspace {
 
-// The planes of one triangle.
+// The planes of one triangle: the same bits whatever the order of its vertices.
 //
 //   setup       oriented slopes, as triangle_setup() returned them for this triangle
 //   triangle    its vertices

@@ -37,6 +37,16 @@ struct Triangle {
   bool operator==(const Triangle&) const = default;
 };
 
+// The topmost of three points, of two the one to the left: the same one in whatever order they
+// come.
+inline std::size_t first_vertex(const std::array<Point, 3>& v) {
+  const auto before = [&v](std::size_t i, std::size_t j) {
+    return v[i].y < v[j].y || (v[i].y == v[j].y && v[i].x < v[j].x);
+  };
+  const std::size_t first = before(1, 0) ? 1 : 0;
+  return before(2, first) ? 2 : first;
+}
+
 inline constexpr int kMaxAttributes = 8;
 
 // Every interpolated quantity is aligned to U0.30 ("units" below are 2^-30 of full scale).
@@ -122,15 +132,15 @@ struct CoverageTile {
 
 // One quantity over the whole triangle. Modulo 2^64.
 struct Plane {
-  std::uint64_t at_vertex0 = 0;  // U.F units at vertex 0
-  std::uint64_t dx = 0;          // S.F units per pixel: floor of the exact quotient
+  std::uint64_t at_origin = 0;  // S.F units at InterpolationSetup::origin
+  std::uint64_t dx = 0;         // S.F units per pixel: floor of the exact quotient
   std::uint64_t dy = 0;
   bool operator==(const Plane&) const = default;
 };
 
 // One triangle's planes. inverse_w and attribute are set only when asked for.
 struct InterpolationSetup {
-  Point origin;  // vertex 0, S.s px
+  Point origin;  // S.s px: first_vertex()
   Plane depth;
   Plane inverse_w;
   std::array<Plane, kMaxAttributes> attribute;  // attribute / 256 / w

@@ -123,7 +123,8 @@ Input random_input(Random& random, int count, const Config& config) {
     }
   }
   for (std::size_t i = 0; i < out.records.size(); i += 3) {
-    out.triangles.push_back({{&out.records[i], &out.records[i + 1], &out.records[i + 2]}});
+    out.triangles.push_back(
+        frame_triangle(&out.records[i], &out.records[i + 1], &out.records[i + 2]));
   }
   return out;
 }

@@ -22,7 +22,7 @@ TEST(Interpolation, AttributeOverWIsRoundedToNearest) {
       v.value[0] = 1;
     }
     const InterpolationSetup planes = interpolation_setup(setup, t, a, 1, kFull);
-    EXPECT_EQ(planes.attribute[0].at_vertex0, std::uint64_t{1 - below} << kFull.gradient_bits);
+    EXPECT_EQ(planes.attribute[0].at_origin, std::uint64_t{1 - below} << kFull.gradient_bits);
   }
 }
 

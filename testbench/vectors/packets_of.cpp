@@ -174,6 +174,13 @@ InterpolationInput interpolation_input_of(const Values& ports, const Config& con
   out.setup.flipped = take.next() != 0;
   out.triangle.vertex[0].x = take.word();
   out.triangle.vertex[0].y = take.word();
+  // The others follow from the edges that leave them.
+  const int sign = out.setup.flipped ? -1 : 1;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Point from = out.triangle.vertex[i];
+    const EdgeSlope edge = out.setup.slope[i];
+    out.triangle.vertex[i + 1] = {from.x + sign * edge.b, from.y - sign * edge.a};
+  }
   for (VertexAttributes& vertex : out.attributes) {
     vertex.depth = take.word();
     vertex.inverse_w = take.unsigned_word();

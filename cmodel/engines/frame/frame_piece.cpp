@@ -55,7 +55,7 @@ void FramePiece::list_triangles(const CoverageChunk& chunk,
   };
   for (std::size_t k = 0; k < count_; ++k) {
     const TriangleIndices& corner = assembly_.corner[chunk.triangle[visible_[k]]];
-    triangle_[k].vertex = {record(corner[0]), record(corner[1]), record(corner[2])};
+    triangle_[k] = frame_triangle(record(corner[0]), record(corner[1]), record(corner[2]));
   }
 }
 

@@ -31,7 +31,7 @@ InterpolationSetup plain_planes(const FrameTriangle& triangle, const FrameConsta
 
 FramePlane plain_depth_plane(const FrameTriangle& triangle, const FrameConstants& constants) {
   const Plane plane = plain_planes(triangle, constants, 0).depth;
-  return frame_plane(plane.at_vertex0, plane.dx, plane.dy, frame_edges(triangle, constants),
+  return frame_plane(plane.at_origin, plane.dx, plane.dy, frame_edges(triangle, constants),
                      constants);
 }
 
@@ -41,7 +41,7 @@ ShadePlanes plain_shade_planes(const FrameTriangle& triangle, const FrameConstan
   ShadePlanes out;
   for (std::size_t n = 0; n < kShades; ++n) {
     const Plane& plane = n < 3 ? setup.attribute[n] : setup.inverse_w;
-    const FramePlane at = frame_plane(plane.at_vertex0, plane.dx, plane.dy, e, constants);
+    const FramePlane at = frame_plane(plane.at_origin, plane.dx, plane.dy, e, constants);
     out.origin[n] = at.origin;
     out.dx[n] = at.dx;
     out.dy[n] = at.dy;

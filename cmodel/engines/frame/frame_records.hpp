@@ -62,10 +62,19 @@ struct alignas(32) ShadePlanes {
   std::array<std::uint64_t, kShades> lane_dy{};
 };
 
-// A triangle that covers a sample, before its planes.
+// A triangle that covers a sample, before its planes. The first vertex is first_vertex(), the way
+// it winds is as submitted.
 struct FrameTriangle {
   std::array<const VertexRecord*, 3> vertex{};
 };
+inline FrameTriangle frame_triangle(const VertexRecord* a, const VertexRecord* b,
+                                    const VertexRecord* c) {
+  switch (first_vertex({a->point, b->point, c->point})) {
+    case 0: return {{a, b, c}};
+    case 1: return {{b, c, a}};
+    default: return {{c, a, b}};
+  }
+}
 
 // A tile of a triangle with a sample that passed the depth test.
 struct PassedTile {
