@@ -1,30 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interpolation.hpp"
 
+#include <algorithm>
+#include <bit>
+
 #include "fixed.hpp"
 #include "samples.hpp"
 
 namespace halfspace {
 namespace {
 
-// floor(numerator 2^shift / denominator) modulo 2^64. The quotient of a sliver may be far wider;
-// its low bits are all that later sums use.
-std::uint64_t gradient(std::int64_t numerator, int shift, std::int64_t denominator) {
-  return static_cast<std::uint64_t>(
-      floor_div(static_cast<__int128>(numerator) << shift, denominator));
+// numerator 2^fraction / area modulo 2^64. The quotient of a sliver may be far wider; its low bits
+// are all that later sums use.
+std::uint64_t gradient(std::int64_t numerator, int fraction, const AreaReciprocal& area) {
+  return static_cast<std::uint64_t>(static_cast<__int128>(numerator) *
+                                        static_cast<std::int64_t>(area.factor) >>
+                                    (area.shift - fraction));
 }
 
 // The plane through three vertex values (units): vertex i is opposite edge (i + 1) mod 3, so its
 // weight changes by A of that edge over the doubled area.
 Plane make_plane(const std::array<std::int64_t, 3>& value, std::size_t origin,
-                 const SetupTriangle& setup, std::int64_t area, const Config& config) {
+                 const SetupTriangle& setup, const AreaReciprocal& area, const Config& config) {
   // The slopes of all edges sum to zero, so differences to any vertex give the same sum.
   const std::int64_t d1 = value[1] - value[0];
   const std::int64_t d2 = value[2] - value[0];
-  const int shift = config.subpixel_bits + config.gradient_bits;
+  const int fraction = config.subpixel_bits + config.gradient_bits;
   return {static_cast<std::uint64_t>(value[origin]) << config.gradient_bits,
-          gradient(d1 * setup.slope[2].a + d2 * setup.slope[0].a, shift, area),
-          gradient(d1 * setup.slope[2].b + d2 * setup.slope[0].b, shift, area)};
+          gradient(d1 * setup.slope[2].a + d2 * setup.slope[0].a, fraction, area),
+          gradient(d1 * setup.slope[2].b + d2 * setup.slope[0].b, fraction, area)};
+}
+
+// The whole level that all three values reach, 0..255.
+std::uint8_t level_of(std::int32_t a, std::int32_t b, std::int32_t c) {
+  return static_cast<std::uint8_t>(
+      std::clamp(std::min({a, b, c}) >> kAttributeFractionBits, 0, 255));
 }
 
 // a / 256 * inverse_w in units: S9.8 times U0.30, rounded to nearest.
@@ -35,6 +45,14 @@ std::int64_t over_w(std::int32_t value, std::int64_t inverse_w_units) {
 
 }  // namespace
 
+AreaReciprocal area_reciprocal(std::int64_t area) {
+  HS_CHECK(area > 0 && fits(area, 63));
+  const int zeros = std::countl_zero(static_cast<std::uint64_t>(area));
+  const std::uint64_t mantissa = static_cast<std::uint64_t>(area) << zeros >> 32;
+  // The divisor is odd, so 2^64 - 1 has the same quotient.
+  return {2 * (~std::uint64_t{0} / (2 * mantissa + 1)) + 1, 96 - zeros};
+}
+
 InterpolationSetup interpolation_setup(const SetupTriangle& setup, const Triangle& triangle,
                                        const std::array<VertexAttributes, 3>& attributes, int count,
                                        const Config& config) {
@@ -42,8 +60,7 @@ InterpolationSetup interpolation_setup(const SetupTriangle& setup, const Triangl
   // The cross product of two edges; negating both, as setup does, leaves its sign.
   const std::int64_t cross = std::int64_t{setup.slope[0].a} * setup.slope[1].b -
                              std::int64_t{setup.slope[0].b} * setup.slope[1].a;
-  const std::int64_t area = setup.flipped ? -cross : cross;
-  HS_CHECK(area > 0);
+  const AreaReciprocal area = area_reciprocal(setup.flipped ? -cross : cross);
   const int inverse_w_shift = kPlaneBits - config.inverse_w_bits;
 
   InterpolationSetup out;
@@ -63,10 +80,11 @@ InterpolationSetup interpolation_setup(const SetupTriangle& setup, const Triangl
   out.inverse_w = make_plane(inverse_w, origin, setup, area, config);
   for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) {
     std::array<std::int64_t, 3> value{};
+    out.level[n] = level_of(attributes[0].value[n], attributes[1].value[n], attributes[2].value[n]);
     for (std::size_t i = 0; i < 3; ++i) {
       const std::int32_t at = attributes[i].value[n];
       HS_CHECK(at >= kValueLeast && at <= kValueMost);
-      value[i] = over_w(at, inverse_w[i]);
+      value[i] = over_w(at - (out.level[n] << kAttributeFractionBits), inverse_w[i]);
     }
     out.attribute[n] = make_plane(value, origin, setup, area, config);
   }
@@ -116,6 +134,7 @@ ShadingPlanes shading_planes(const InterpolationSetup& setup, int colors, std::i
   out.inverse_w = sampled(setup.inverse_w);
   for (std::size_t c = 0; c < static_cast<std::size_t>(colors); ++c) {
     out.color[c] = sampled(setup.attribute[c]);
+    out.level[c] = setup.level[c];
   }
   return out;
 }

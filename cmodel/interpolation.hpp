@@ -22,11 +22,21 @@ namespace halfspace {
 //               checked)
 //   count       attributes to set up, 0..config.attributes; 0 sets up depth alone
 //
-// Rounding: gradients are floor(2^(s+F) * sum(V_i A_i) / area2), exact integers.
-// Cost: two divisions per quantity.
+// Rounding: gradients are the floor of an exact product with area_reciprocal(), which is within
+// 2^-31 of the reciprocal. Cost: a division per triangle, four products per quantity.
 InterpolationSetup interpolation_setup(const SetupTriangle& setup, const Triangle& triangle,
                                        const std::array<VertexAttributes, 3>& attributes, int count,
                                        const Config& config);
+
+// The reciprocal of a triangle's doubled area, once for all of its gradients.
+struct AreaReciprocal {
+  std::uint64_t factor = 0;  // 2 r + 1, below 2^33
+  int shift = 0;             // 1 / area is about factor / 2^shift
+};
+
+// area above 0 and below 2^62: with L its bits and m the top 32 of them (zeros appended to a
+// narrower one), r = floor(2^64 / (2 m + 1)) and the shift is 32 + L.
+AreaReciprocal area_reciprocal(std::int64_t area);
 
 // A plane moved to the tile whose first pixel is (x, y). Cost: two products.
 TilePlane tile_plane(const Plane& plane, Point origin, std::int32_t x, std::int32_t y,

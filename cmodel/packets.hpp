@@ -133,7 +133,7 @@ struct CoverageTile {
 // One quantity over the whole triangle. Modulo 2^64.
 struct Plane {
   std::uint64_t at_origin = 0;  // S.F units at InterpolationSetup::origin
-  std::uint64_t dx = 0;         // S.F units per pixel: floor of the exact quotient
+  std::uint64_t dx = 0;         // S.F units per pixel
   std::uint64_t dy = 0;
   bool operator==(const Plane&) const = default;
 };
@@ -143,7 +143,8 @@ struct InterpolationSetup {
   Point origin;  // S.s px: first_vertex()
   Plane depth;
   Plane inverse_w;
-  std::array<Plane, kMaxAttributes> attribute;  // attribute / 256 / w
+  std::array<Plane, kMaxAttributes> attribute;       // (attribute - level) / 256 / w
+  std::array<std::uint8_t, kMaxAttributes> level{};  // least of the vertices, whole and in 0..255
   bool operator==(const InterpolationSetup&) const = default;
 };
 
@@ -162,6 +163,8 @@ struct TilePlane {
   }
 };
 
+using Rgb = std::array<std::uint8_t, 3>;
+
 // The same with what each sample adds to its pixel's centre.
 struct SampledPlane {
   TilePlane center;
@@ -178,14 +181,13 @@ struct SampledPlane {
 // interpolation to shading: what colours one tile.
 struct ShadingPlanes {
   SampledPlane inverse_w;
-  std::array<SampledPlane, 3> color;  // red, green, blue, each / 256 / w
+  std::array<SampledPlane, 3> color;  // red, green, blue, each less its level, / 256 / w
+  Rgb level{};
   bool operator==(const ShadingPlanes&) const = default;
 };
 
 // framebuffer to depth and back: depths of one sample of every pixel of a tile, U0.depth_bits.
 using DepthTile = std::array<std::uint32_t, 64>;
-
-using Rgb = std::array<std::uint8_t, 3>;
 
 // shading to framebuffer: the colours of a tile's pixels; black where there is no fragment.
 using ColorTile = std::array<Rgb, 64>;

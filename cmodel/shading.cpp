@@ -43,7 +43,7 @@ ColorTile shading(const CoverageTile& tile, const SampleMasks& passed, const Sha
     const std::int32_t inverse_w = planes.inverse_w.at(i, j, sample);
     for (std::size_t c = 0; c < static_cast<std::size_t>(colors); ++c) {
       out[static_cast<std::size_t>(lane)][c] =
-          perspective(planes.color[c].at(i, j, sample), inverse_w, config);
+          perspective(planes.color[c].at(i, j, sample), inverse_w, planes.level[c], config);
     }
   }
   return out;
@@ -55,7 +55,8 @@ std::uint32_t reciprocal(std::uint32_t mantissa, const Config& config) {
   return static_cast<std::uint32_t>((std::uint64_t{1} << (2 * R)) / (2 * mantissa + 1));
 }
 
-std::uint8_t perspective(std::int32_t attribute, std::int32_t inverse_w, const Config& config) {
+std::uint8_t perspective(std::int32_t attribute, std::int32_t inverse_w, std::uint8_t level,
+                         const Config& config) {
   const int R = config.reciprocal_bits;
   const auto u = static_cast<std::uint32_t>(std::max(inverse_w, 1));
   const auto p = static_cast<std::uint32_t>(std::clamp(attribute, 0, static_cast<std::int32_t>(u)));
@@ -65,7 +66,7 @@ std::uint8_t perspective(std::int32_t attribute, std::int32_t inverse_w, const C
   const std::uint32_t r = reciprocal((u << up) >> (32 - R), config);
   const int shift = R + kQuotientBits - 1 - 8;
   const std::uint64_t product = std::uint64_t{numerator} * r + (std::uint64_t{1} << (shift - 1));
-  return static_cast<std::uint8_t>(std::min<std::uint64_t>(product >> shift, 255));
+  return static_cast<std::uint8_t>(std::min<std::uint64_t>(level + (product >> shift), 255));
 }
 
 }  // namespace halfspace

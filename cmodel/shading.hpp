@@ -29,8 +29,9 @@ GridMask any_sample(const SampleMasks& passed);
 // an R-bit mantissa in [2^(R-1), 2^R), R = reciprocal_bits.
 std::uint32_t reciprocal(std::uint32_t mantissa, const Config& config);
 
-// attribute / w over 1 / w, both in units at the same sample, to an 8-bit attribute, rounded to
-// nearest and clamped to 0..255. inverse_w is taken as 1 when it is below.
-std::uint8_t perspective(std::int32_t attribute, std::int32_t inverse_w, const Config& config);
+// (attribute - level) / w over 1 / w, both in units at the same sample, rounded to nearest, and
+// level added: an 8-bit attribute, clamped to 0..255. inverse_w is taken as 1 when it is below.
+std::uint8_t perspective(std::int32_t attribute, std::int32_t inverse_w, std::uint8_t level,
+                         const Config& config);
 
 }  // namespace halfspace

@@ -173,6 +173,9 @@ TEST_P(CutPlanes, KeepTheBoundsOfUncutTriangles) {
   EXPECT_LT(worst.thin, worst.cut / (c.shape == Shape::kSliver ? 2 : 20) + 1);
   EXPECT_LE(worst.depth, 0.66) << "seed " << seed;
   EXPECT_LE(worst.attribute, 0.53) << "seed " << seed;
+  RecordProperty("depth_lsb", std::to_string(worst.depth));
+  RecordProperty("levels", std::to_string(worst.attribute));
+  RecordProperty("samples", std::to_string(worst.samples));
 }
 
 std::vector<Case> cases() {

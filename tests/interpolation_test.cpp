@@ -111,8 +111,8 @@ void measure(const RealTriangle& t, const FrameState& frame, const Config& confi
         const double got = depth_value(at(depth, planes.depth, i, j), config);
         errors.depth =
             std::max(errors.depth, std::abs(static_cast<double>(real.depth * full - got)));
-        const double level =
-            perspective(at(a, planes.attribute[0], i, j), at(u, planes.inverse_w, i, j), config);
+        const double level = perspective(at(a, planes.attribute[0], i, j),
+                                         at(u, planes.inverse_w, i, j), planes.level[0], config);
         errors.attribute =
             std::max(errors.attribute, std::abs(static_cast<double>(real.attribute - level)));
         ++errors.samples;
@@ -242,7 +242,8 @@ TEST(Interpolation, ConstantAttributeIsConstant) {
           const TilePlane a = tile_plane(planes.attribute[0], planes.origin, tile.x, tile.y, kFull);
           for (GridMask rest = tile.mask[0]; rest != 0; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
-            ASSERT_EQ(perspective(a.at(lane & 7, lane >> 3), u.at(lane & 7, lane >> 3), kFull),
+            ASSERT_EQ(perspective(a.at(lane & 7, lane >> 3), u.at(lane & 7, lane >> 3),
+                                  planes.level[0], kFull),
                       i % 256);
           }
         });

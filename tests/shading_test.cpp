@@ -21,11 +21,17 @@ TEST(Shading, ReciprocalIsTheFloorForEveryMantissa) {
 }
 
 TEST(Shading, PerspectiveClampsWhatExtrapolationLeaves) {
-  EXPECT_EQ(perspective(-5, 1 << 29, kFull), 0);
-  EXPECT_EQ(perspective(1 << 30, 1 << 20, kFull), 255);
-  EXPECT_EQ(perspective(0, 0, kFull), 0);
-  EXPECT_EQ(perspective(INT32_MIN, INT32_MIN, kFull), 0);
-  EXPECT_EQ(perspective(INT32_MAX, INT32_MAX, kFull), 255);
+  EXPECT_EQ(perspective(-5, 1 << 29, 0, kFull), 0);
+  EXPECT_EQ(perspective(1 << 30, 1 << 20, 0, kFull), 255);
+  EXPECT_EQ(perspective(0, 0, 0, kFull), 0);
+  EXPECT_EQ(perspective(INT32_MIN, INT32_MIN, 0, kFull), 0);
+  EXPECT_EQ(perspective(INT32_MAX, INT32_MAX, 0, kFull), 255);
+}
+
+TEST(Shading, AddsTheLevelAndSaturates) {
+  EXPECT_EQ(perspective(1 << 28, 1 << 29, 7, kFull), 128 + 7);
+  EXPECT_EQ(perspective(1 << 28, 1 << 29, 200, kFull), 255);
+  EXPECT_EQ(perspective(-1, 1 << 29, 200, kFull), 200);
 }
 
 // Red is 100 everywhere, green grows by one level a pixel to the right, blue by one a row down; 1/w

@@ -166,7 +166,8 @@ double Sample::worst_of(const Measured& m, const VertexSet& attributes, const Co
       const int j = lane >> config.grid_log2;
       const std::int32_t inverse_w = value(planes.inverse_w, tile, i, j);
       for (std::size_t n = 0; n < static_cast<std::size_t>(config.attributes); ++n) {
-        const int got = perspective(value(planes.attribute[n], tile, i, j), inverse_w, config);
+        const int got =
+            perspective(value(planes.attribute[n], tile, i, j), inverse_w, planes.level[n], config);
         const double real = truth.at(tile.x + i + offset.x / 16.0, tile.y + j + offset.y / 16.0, n);
         worst = std::max(worst, std::abs(got - real));
       }

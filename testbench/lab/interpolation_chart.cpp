@@ -111,7 +111,8 @@ void measure(const ShadedTriangle& t, const FrameState& frame, const Config& con
           const int i = bit % config.grid();
           const int j = bit / config.grid();
           const Exact exact = exact_at(t, tile.x + i, tile.y + j, config);
-          out.attribute.add(perspective(a.at(i, j), w.at(i, j), config) - exact.attribute);
+          out.attribute.add(perspective(a.at(i, j), w.at(i, j), planes.level[0], config) -
+                            exact.attribute);
           out.depth.add(depth_value(d.at(i, j), config) - exact.depth);
         }
       });

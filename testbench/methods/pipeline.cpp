@@ -59,7 +59,7 @@ void shade(const CoverageTile& tile, const InterpolationSetup& planes, const Con
     const int i = lane % config.grid(), j = lane / config.grid();
     Color out;
     for (std::size_t c = 0; c < 3; ++c) {
-      out[c] = perspective(color[c].at(i, j), inverse_w.at(i, j), config);
+      out[c] = perspective(color[c].at(i, j), inverse_w.at(i, j), planes.level[c], config);
     }
     canvas.fragment(tile.x + i, tile.y + j, depth_value(depth.at(i, j), config) / far, out);
   }

@@ -48,7 +48,8 @@ Values interpolation_out(const InterpolationInput& in, const Config& config) {
   if (config.attributes > 0) {
     const std::int32_t inverse_w = at_sample(setup.inverse_w);
     for (std::size_t n = 0; n < static_cast<std::size_t>(config.attributes); ++n) {
-      results.push_back(perspective(at_sample(setup.attribute[n]), inverse_w, config));
+      results.push_back(
+          perspective(at_sample(setup.attribute[n]), inverse_w, setup.level[n], config));
     }
   }
   planes.insert(planes.end(), results.begin(), results.end());

@@ -14,8 +14,6 @@ HWY_BEFORE_NAMESPACE();
 namespace halfspace::simd::HWY_NAMESPACE {
 
 using DQuad = hn::CappedTag<std::uint64_t, kShades>;
-using DQuadS = hn::RebindToSigned<DQuad>;
-using DQuadD = hn::RebindToFloat<DQuad>;
 using VQuad = hn::Vec<DQuad>;
 inline constexpr std::size_t kQuadLanes = hn::MaxLanes(DQuad());
 
@@ -46,32 +44,37 @@ HWY_INLINE VQuad mul_wide(VQuad a, VQuad b) {
 
 // A triangle's constants in all lanes.
 struct QuadEdges {
-  VQuad area;
-  hn::Vec<DQuadD> scale;
-  int shift;
+  VQuad reciprocal;  // r: FrameEdges::factor is 2 r + 1
+  int shift;         // of the product
+  int left, right;   // of its part from bit 32 on: one of them is 0
 };
 
-// guessed_gradient() of d1 s1 + d2 s2, both factors of a product in 32 bits with sign. `wild`
-// gathers the greatest quotients.
-HWY_INLINE VQuad gradient(VQuad d1, std::int64_t s1, VQuad d2, std::int64_t s2, const QuadEdges& e,
-                          hn::Vec<DQuadD>& wild) {
+// v >> by with the sign, which there is no instruction for.
+HWY_INLINE VQuad shift_signed(VQuad v, int by) {
   const DQuad d;
-  const DQuadD dd;
-  const VQuad n = hn::Add(mul_signed(d1, hn::Set(d, static_cast<std::uint64_t>(s1))),
-                          mul_signed(d2, hn::Set(d, static_cast<std::uint64_t>(s2))));
-  const auto q = hn::Mul(hn::ConvertTo(dd, hn::BitCast(DQuadS(), n)), e.scale);
-  wild = hn::Max(wild, hn::Abs(q));
-  const auto rounder = hn::Set(dd, kRounder);
-  const VQuad g = hn::Sub(hn::BitCast(d, hn::Add(q, rounder)), hn::BitCast(d, rounder));
-  const VQuad rest = hn::Sub(hn::ShiftLeftSame(n, e.shift), mul_wide(g, e.area));
-  return hn::Sub(g, hn::ShiftRight<63>(rest));
+  constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
+  return hn::Sub(hn::ShiftRightSame(hn::Add(v, hn::Set(d, kSign)), by), hn::Set(d, kSign >> by));
 }
 
-// What a vertex's fields exceed its values by; less 1 in the place of 1/w: 1/w over 1.
-inline constexpr std::int64_t kFieldZero[kShades] = {-kValueLeast, -kValueLeast, -kValueLeast,
-                                                     -65536};
+// gradient() of d1 s1 + d2 s2, all factors in 32 bits with sign.
+HWY_INLINE VQuad gradient(VQuad d1, std::int64_t s1, VQuad d2, std::int64_t s2,
+                          const QuadEdges& e) {
+  const DQuad d;
+  const VQuad low = hn::Set(d, std::uint64_t{0xffffffff});
+  const VQuad n = hn::Add(mul_signed(d1, hn::Set(d, static_cast<std::uint64_t>(s1))),
+                          mul_signed(d2, hn::Set(d, static_cast<std::uint64_t>(s2))));
+  // n (2 r + 1) in two parts; r counts as negative in a product with sign, hence n's high half.
+  const VQuad a = mul_low(n, e.reciprocal);
+  const VQuad b = hn::Add(mul_signed(hn::ShiftRight<32>(n), e.reciprocal), hn::AndNot(low, n));
+  const VQuad a_low = hn::And(a, low);
+  const VQuad rest = hn::Add(hn::Add(a_low, a_low), n);
+  const VQuad sum = hn::Add(b, hn::ShiftRight<32>(a));
+  const VQuad high = hn::Add(hn::Add(sum, sum), shift_signed(rest, 32));
+  return hn::Add(shift_signed(hn::ShiftLeftSame(high, e.left), e.right),
+                 hn::ShiftRightSame(hn::And(rest, low), HWY_MIN(e.shift, 63)));
+}
 
-// Four values of a vertex, red, green, blue and 1, in as many vectors as they fill.
+// The fields of a vertex, red, green, blue and 0, in as many vectors as they fill.
 struct QuadValues {
   VQuad part[kShades / kQuadLanes];
 };
@@ -81,16 +84,13 @@ HWY_INLINE QuadValues load_values(const VertexRecord& vertex) {
 #if HALFSPACE_AVX512 || HALFSPACE_AVX2
   const __m256i fields = _mm256_srlv_epi64(_mm256_set1_epi64x(static_cast<long long>(vertex.value)),
                                            _mm256_setr_epi64x(0, kBits, 2 * kBits, 3 * kBits));
-  const __m256i value =
-      _mm256_and_si256(fields, _mm256_set1_epi64x(static_cast<long long>(VertexRecord::kField)));
-  const auto* zero = reinterpret_cast<const __m256i*>(kFieldZero);
-  return {{VQuad{_mm256_sub_epi64(value, _mm256_loadu_si256(zero))}}};
+  return {{VQuad{
+      _mm256_and_si256(fields, _mm256_set1_epi64x(static_cast<long long>(VertexRecord::kField)))}}};
 #else
   const DQuad d;
   alignas(16) std::uint64_t value[kShades];
   for (std::size_t i = 0; i < kShades; ++i) {
-    value[i] = (vertex.value >> (kBits * static_cast<int>(i)) & VertexRecord::kField) -
-               static_cast<std::uint64_t>(kFieldZero[i]);
+    value[i] = vertex.value >> (kBits * static_cast<int>(i)) & VertexRecord::kField;
   }
   QuadValues out;
   for (std::size_t i = 0; i < kShades; i += kQuadLanes) {
@@ -98,6 +98,22 @@ HWY_INLINE QuadValues load_values(const VertexRecord& vertex) {
   }
   return out;
 #endif
+}
+
+// The fields of a whole level, of the greatest level, and what leaves 1 in the place of 1/w.
+inline constexpr std::uint64_t kLevelZero = std::uint64_t{-kValueLeast};
+inline constexpr std::uint64_t kLevelMost = kLevelZero + (255 << kAttributeFractionBits);
+inline constexpr std::uint64_t kOne[kShades] = {0, 0, 0, 65536 + kLevelZero};
+
+// level_of() of three fields, as a field.
+HWY_INLINE VQuad quad_level(VQuad a, VQuad b, VQuad c) {
+  const DQuad d;
+  const hn::Repartition<std::int32_t, DQuad> narrow;  // the high halves are 0
+  const auto wide = [&](VQuad v) HWY_ATTR { return hn::BitCast(narrow, v); };
+  const auto least = hn::Min(wide(a), hn::Min(wide(b), wide(c)));
+  const auto cut =
+      hn::Min(hn::Max(least, wide(hn::Set(d, kLevelZero))), wide(hn::Set(d, kLevelMost)));
+  return hn::And(hn::BitCast(d, cut), hn::Set(d, ~std::uint64_t{255}));
 }
 
 // Attributes over w and 1/w, units: over_w() of interpolation.cpp. A value may be negative, and
@@ -114,28 +130,31 @@ HWY_INLINE VQuad units_over_w(VQuad value, std::uint32_t inverse_w) {
 HWY_INLINE void triangle_planes(const FrameConstants& c, const FrameTriangle& triangle,
                                 ShadePlanes& out) {
   const DQuad d;
-  const DQuadD dd;
   const FrameEdges e = frame_edges(triangle, c);
   const std::array<std::uint32_t, 3> inverse_w = packed_inverse_w(triangle, c);
   const int up = kPlaneBits - c.config.inverse_w_bits;
   QuadValues value[3];
   for (std::size_t i = 0; i < 3; ++i) value[i] = load_values(*triangle.vertex[i]);
-  const QuadEdges quad{hn::Set(d, static_cast<std::uint64_t>(e.area)), hn::Set(dd, e.scale),
-                       c.config.subpixel_bits + c.gradient_bits};
+  const QuadEdges quad{hn::Set(d, e.factor >> 1), e.shift, HWY_MAX(32 - e.shift, 0),
+                       HWY_MAX(e.shift - 32, 0)};
   const int F = c.gradient_bits;
   const VQuad half = hn::Set(d, F > 0 ? std::uint64_t{1} << (F - 1) : 0);
   const VQuad x = hn::Set(d, static_cast<std::uint64_t>(e.x));
   const VQuad y = hn::Set(d, static_cast<std::uint64_t>(e.y));
-  auto wild = hn::Zero(dd);
+  alignas(32) std::uint64_t levels[kShades];
   for (std::size_t at = 0; at < kShades; at += kQuadLanes) {
+    const auto field = [&](std::size_t i) HWY_ATTR { return value[i].part[at / kQuadLanes]; };
+    const VQuad level = quad_level(field(0), field(1), field(2));
+    hn::Store(level, d, levels + at);
+    const VQuad zero = hn::Sub(level, hn::LoadU(d, kOne + at));
     const auto units = [&](std::size_t i) HWY_ATTR {
-      return units_over_w(value[i].part[at / kQuadLanes], inverse_w[i] << up);
+      return units_over_w(hn::Sub(field(i), zero), inverse_w[i] << up);
     };
     const VQuad v0 = units(0);
     const VQuad d1 = hn::Sub(units(1), v0);
     const VQuad d2 = hn::Sub(units(2), v0);
-    const VQuad dx = gradient(d1, e.a2, d2, e.a0, quad, wild);
-    const VQuad dy = gradient(d1, e.b2, d2, e.b0, quad, wild);
+    const VQuad dx = gradient(d1, e.a2, d2, e.a0, quad);
+    const VQuad dy = gradient(d1, e.b2, d2, e.b0, quad);
     const VQuad move = hn::Add(mul_wide(dx, x), mul_wide(dy, y));
     hn::Store(hn::Add(hn::ShiftLeftSame(v0, F), hn::ShiftRightSame(move, c.f)), d, &out.origin[at]);
     hn::Store(dx, d, &out.dx[at]);
@@ -143,8 +162,10 @@ HWY_INLINE void triangle_planes(const FrameConstants& c, const FrameTriangle& tr
     hn::Store(hn::ShiftRightSame(hn::Add(dx, half), F), d, &out.lane_dx[at]);
     hn::Store(hn::ShiftRightSame(hn::Add(dy, half), F), d, &out.lane_dy[at]);
   }
-  if (!hn::AllTrue(dd, hn::Lt(wild, hn::Set(dd, kGuessLimit)))) {
-    out = plain_shade_planes(triangle, c);
+  out.level = 0;
+  for (std::size_t n = 0; n < 3; ++n) {
+    out.level |= static_cast<std::uint32_t>((levels[n] - kLevelZero) >> kAttributeFractionBits)
+                 << (8 * n);
   }
 }
 

@@ -109,6 +109,26 @@ HWY_INLINE VU over(const Divider& divide, const Divisor& by, VI attribute) {
   return hn::Min(hn::ShiftRightSame(product, divide.result_shift), hn::Set(DU(), 255));
 }
 
+void Divide(const FrameConstants& c, Division* divisions, std::size_t count) {
+  const Divider divide = divider(c);
+  alignas(64) std::int32_t attribute[kLanes], inverse_w[kLanes];
+  alignas(64) std::uint32_t reciprocal[kLanes], value[kLanes];
+  for (std::size_t first = 0; first < count; first += kLanes) {
+    const std::size_t lanes = HWY_MIN(kLanes, count - first);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      attribute[i] = divisions[first + (i < lanes ? i : 0)].attribute;
+      inverse_w[i] = divisions[first + (i < lanes ? i : 0)].inverse_w;
+    }
+    const Divisor by = divisor(divide, hn::Load(DI(), inverse_w));
+    hn::Store(by.reciprocal, DU(), reciprocal);
+    hn::Store(over(divide, by, hn::Load(DI(), attribute)), DU(), value);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      divisions[first + i].reciprocal = reciprocal[i];
+      divisions[first + i].value = value[i];
+    }
+  }
+}
+
 }  // namespace halfspace::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

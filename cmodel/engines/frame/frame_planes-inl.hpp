@@ -46,10 +46,22 @@ HWY_INLINE EightRecords load_vertices(const FrameTriangle* triangle, std::size_t
 
 // FrameEdges of eight triangles.
 struct EightEdges {
-  __m512i a0, b0, a2, b2, area, x, y;
-  __m512d scale;
-  __m128i shift;
+  __m512i a0, b0, a2, b2, x, y;
+  __m512i reciprocal;          // r: FrameEdges::factor is 2 r + 1
+  __m512i shift, left, right;  // as QuadEdges
 };
+
+// floor(2^64 / (2 m + 1)) for m of 32 bits, the top one set: the quotient of doubles, rounded, is
+// the floor or one more, and the remainder says which.
+HWY_INLINE __m512i eight_reciprocals(__m512i mantissa) {
+  const __m512i divisor = _mm512_add_epi64(_mm512_slli_epi64(mantissa, 1), _mm512_set1_epi64(1));
+  const __m512d q = _mm512_div_pd(_mm512_set1_pd(0x1p64), _mm512_cvtepi64_pd(divisor));
+  const __m512d rounder = _mm512_set1_pd(kRounder);
+  const __m512i g = _mm512_sub_epi64(_mm512_castpd_si512(_mm512_add_pd(q, rounder)),
+                                     _mm512_castpd_si512(rounder));
+  const __m512i rest = _mm512_sub_epi64(_mm512_setzero_si512(), _mm512_mullo_epi64(g, divisor));
+  return _mm512_sub_epi64(g, _mm512_srli_epi64(rest, 63));
+}
 
 HWY_INLINE EightEdges eight_edges(const EightRecords (&v)[3], const FrameConstants& c) {
   const auto x = [&](std::size_t i)
@@ -60,15 +72,22 @@ HWY_INLINE EightEdges eight_edges(const EightRecords (&v)[3], const FrameConstan
   e.b0 = _mm512_sub_epi64(x(1), x(0));
   e.a2 = _mm512_sub_epi64(y(2), y(0));
   e.b2 = _mm512_sub_epi64(x(0), x(2));
-  e.area = _mm512_sub_epi64(_mm512_mul_epi32(e.a2, e.b0), _mm512_mul_epi32(e.a0, e.b2));
-  const __m512i flip = _mm512_srai_epi64(e.area, 63);
-  for (__m512i* value : {&e.a0, &e.b0, &e.a2, &e.b2, &e.area}) {
+  __m512i area = _mm512_sub_epi64(_mm512_mul_epi32(e.a2, e.b0), _mm512_mul_epi32(e.a0, e.b2));
+  const __m512i flip = _mm512_srai_epi64(area, 63);
+  for (__m512i* value : {&e.a0, &e.b0, &e.a2, &e.b2, &area}) {
     *value = _mm512_sub_epi64(_mm512_xor_si512(*value, flip), flip);
   }
-  const int shift = c.config.subpixel_bits + c.gradient_bits;
-  e.shift = _mm_cvtsi32_si128(shift);
-  e.scale = _mm512_div_pd(_mm512_set1_pd(static_cast<double>(std::uint64_t{1} << shift)),
-                          _mm512_cvtepi64_pd(e.area));
+  // Leading zeros by a double's exponent, 1023 for 1.
+  const __m512d real = _mm512_cvt_roundepi64_pd(area, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC);
+  const __m512i exponent = _mm512_srli_epi64(_mm512_castpd_si512(real), 52);
+  const __m512i zeros = _mm512_sub_epi64(_mm512_set1_epi64(1023 + 63), exponent);
+  const __m512i mantissa = _mm512_srli_epi64(_mm512_sllv_epi64(area, zeros), 32);
+  e.reciprocal = eight_reciprocals(mantissa);
+  const int fraction = c.config.subpixel_bits + c.gradient_bits;
+  e.shift = _mm512_sub_epi64(_mm512_set1_epi64(96 - fraction), zeros);
+  const __m512i above = _mm512_sub_epi64(e.shift, _mm512_set1_epi64(32));
+  e.right = _mm512_max_epi64(above, _mm512_setzero_si512());
+  e.left = _mm512_sub_epi64(e.right, above);
   const __m128i up = _mm_cvtsi32_si128(c.f - c.config.subpixel_bits);
   const __m512i half = _mm512_set1_epi64(std::int64_t{1} << (c.f - 1));
   e.x = _mm512_sub_epi64(half, _mm512_sll_epi64(x(0), up));
@@ -76,19 +95,20 @@ HWY_INLINE EightEdges eight_edges(const EightRecords (&v)[3], const FrameConstan
   return e;
 }
 
-// guessed_gradient() of d1 s1 + d2 s2. wild: lanes where it does not hold; added to.
+// gradient() of d1 s1 + d2 s2, as for one triangle.
 HWY_INLINE __m512i eight_gradients(__m512i d1, __m512i s1, __m512i d2, __m512i s2,
-                                   const EightEdges& e, __mmask8& wild) {
+                                   const EightEdges& e) {
+  const __m512i low = _mm512_set1_epi64(0xffffffff);
   const __m512i n = _mm512_add_epi64(_mm512_mul_epi32(d1, s1), _mm512_mul_epi32(d2, s2));
-  const __m512d q = _mm512_mul_pd(_mm512_cvtepi64_pd(n), e.scale);
-  const __m512d limit = _mm512_set1_pd(kGuessLimit);
-  wild = static_cast<__mmask8>(wild | _mm512_cmp_pd_mask(_mm512_abs_pd(q), limit, _CMP_NLT_UQ));
-  const __m512d rounder = _mm512_set1_pd(kRounder);
-  const __m512i g = _mm512_sub_epi64(_mm512_castpd_si512(_mm512_add_pd(q, rounder)),
-                                     _mm512_castpd_si512(rounder));
-  const __m512i rest =
-      _mm512_sub_epi64(_mm512_sll_epi64(n, e.shift), _mm512_mullo_epi64(g, e.area));
-  return _mm512_sub_epi64(g, _mm512_srli_epi64(rest, 63));
+  const __m512i a = _mm512_mul_epu32(n, e.reciprocal);
+  const __m512i b = _mm512_add_epi64(_mm512_mul_epi32(_mm512_srli_epi64(n, 32), e.reciprocal),
+                                     _mm512_andnot_si512(low, n));
+  const __m512i a_low = _mm512_and_si512(a, low);
+  const __m512i rest = _mm512_add_epi64(_mm512_add_epi64(a_low, a_low), n);
+  const __m512i sum = _mm512_add_epi64(b, _mm512_srli_epi64(a, 32));
+  const __m512i high = _mm512_add_epi64(_mm512_add_epi64(sum, sum), _mm512_srai_epi64(rest, 32));
+  return _mm512_add_epi64(_mm512_srav_epi64(_mm512_sllv_epi64(high, e.left), e.right),
+                          _mm512_srlv_epi64(_mm512_and_si512(rest, low), e.shift));
 }
 
 // FramePlane of eight triangles.
@@ -98,15 +118,15 @@ struct EightPlanes {
 
 // The planes through v0, v0 + d1, v0 + d2 at the vertices.
 HWY_INLINE EightPlanes eight_planes(__m512i v0, __m512i v1, __m512i v2, const EightEdges& e,
-                                    const FrameConstants& c, __mmask8& wild) {
+                                    const FrameConstants& c) {
   const int F = c.gradient_bits;
   const __m128i by_F = _mm_cvtsi32_si128(F);
   const __m512i half = _mm512_set1_epi64(F > 0 ? std::int64_t{1} << (F - 1) : 0);
   const __m512i d1 = _mm512_sub_epi64(v1, v0);
   const __m512i d2 = _mm512_sub_epi64(v2, v0);
   EightPlanes out;
-  out.dx = eight_gradients(d1, e.a2, d2, e.a0, e, wild);
-  out.dy = eight_gradients(d1, e.b2, d2, e.b0, e, wild);
+  out.dx = eight_gradients(d1, e.a2, d2, e.a0, e);
+  out.dy = eight_gradients(d1, e.b2, d2, e.b0, e);
   const __m512i move =
       _mm512_add_epi64(_mm512_mullo_epi64(out.dx, e.x), _mm512_mullo_epi64(out.dy, e.y));
   out.origin =
@@ -124,17 +144,12 @@ HWY_INLINE void eight_depth_planes(const FrameConstants& c, const FrameTriangle*
   const auto value = [&](std::size_t i) HWY_ATTR {
     return _mm512_srai_epi64(_mm512_slli_epi64(v[i].depth, 32), 32);
   };
-  __mmask8 wild = 0;
-  const EightPlanes plane = eight_planes(value(0), value(1), value(2), eight_edges(v, c), c, wild);
+  const EightPlanes plane = eight_planes(value(0), value(1), value(2), eight_edges(v, c), c);
   const __m512i lanes =
       _mm512_or_si512(_mm512_and_si512(plane.lane_dx, low), _mm512_slli_epi64(plane.lane_dy, 32));
   static_assert(sizeof(FramePlane) == 32);
   hn::StoreInterleaved4(V64{plane.origin}, V64{plane.dx}, V64{plane.dy}, V64{lanes}, D64(),
                         reinterpret_cast<std::uint64_t*>(out));
-  for (unsigned rest = wild; rest != 0; rest &= rest - 1) {
-    const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-    out[i] = plain_depth_plane(triangles[i], c);
-  }
 }
 
 // packed_inverse_w() of eight triangles, in units of the planes.
@@ -158,7 +173,7 @@ HWY_INLINE void eight_inverse_w(const EightRecords (&v)[3], const FrameConstants
   }
 }
 
-// One word of the four shades of eight triangles, to out[0], out[5], ... of ShadePlanes.
+// One word of the four shades of eight triangles, to the same place of eight ShadePlanes.
 HWY_INLINE void store_shades(const __m512i (&shade)[kShades], __m256i* out) {
   constexpr std::size_t kStep = sizeof(ShadePlanes) / sizeof(__m256i);
   const __m512i first = _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11);
@@ -177,6 +192,14 @@ HWY_INLINE void store_shades(const __m512i (&shade)[kShades], __m256i* out) {
   store(_mm512_permutex2var_epi64(odd[0], second, odd[1]), 5);
 }
 
+// level_of() of three fields.
+HWY_INLINE __m512i eight_level(__m512i a, __m512i b, __m512i c) {
+  const __m512i least = _mm512_min_epi64(a, _mm512_min_epi64(b, c));
+  const __m512i above = _mm512_add_epi64(least, _mm512_set1_epi64(kValueLeast));
+  const __m512i level = _mm512_srai_epi64(above, kAttributeFractionBits);
+  return _mm512_min_epi64(_mm512_max_epi64(level, _mm512_setzero_si512()), _mm512_set1_epi64(255));
+}
+
 // triangle[0] .. triangle[7] need not be neighbours: they are copies.
 HWY_INLINE void eight_shade_planes(const FrameConstants& c, const FrameTriangle* triangles,
                                    ShadePlanes* HWY_RESTRICT out) {
@@ -185,32 +208,35 @@ HWY_INLINE void eight_shade_planes(const FrameConstants& c, const FrameTriangle*
   const EightEdges e = eight_edges(v, c);
   __m512i inverse_w[3];
   eight_inverse_w(v, c, inverse_w);
-  __mmask8 wild = 0;
   __m512i word[5][kShades];
+  __m512i levels = _mm512_setzero_si512();
   for (unsigned n = 0; n < kShades; ++n) {
+    const auto field = [&](std::size_t i) HWY_ATTR {
+      return _mm512_and_si512(_mm512_srli_epi64(v[i].value, VertexRecord::kFieldBits * n),
+                              _mm512_set1_epi64(static_cast<long long>(VertexRecord::kField)));
+    };
+    const __m512i level = eight_level(field(0), field(1), field(2));
+    if (n < 3) levels = _mm512_or_si512(levels, _mm512_slli_epi64(level, 8 * n));
+    const __m512i zero = _mm512_add_epi64(_mm512_slli_epi64(level, kAttributeFractionBits),
+                                          _mm512_set1_epi64(-kValueLeast));
     // units_over_w(); 1/w itself for the last.
     const auto units = [&](std::size_t i) HWY_ATTR {
       if (n == 3) return inverse_w[i];
-      const __m512i field =
-          _mm512_and_si512(_mm512_srli_epi64(v[i].value, VertexRecord::kFieldBits * n),
-                           _mm512_set1_epi64(static_cast<long long>(VertexRecord::kField)));
-      const __m512i value = _mm512_add_epi64(field, _mm512_set1_epi64(kValueLeast));
+      const __m512i value = _mm512_sub_epi64(field(i), zero);
       const __m512i product = _mm512_mul_epi32(value, inverse_w[i]);
       return _mm512_srai_epi64(_mm512_add_epi64(product, _mm512_set1_epi64(1 << 15)), 16);
     };
-    const EightPlanes plane = eight_planes(units(0), units(1), units(2), e, c, wild);
+    const EightPlanes plane = eight_planes(units(0), units(1), units(2), e, c);
     word[0][n] = plane.origin;
     word[1][n] = plane.dx;
     word[2][n] = plane.dy;
     word[3][n] = plane.lane_dx;
     word[4][n] = plane.lane_dy;
   }
-  static_assert(sizeof(ShadePlanes) == 5 * sizeof(__m256i));
   for (std::size_t i = 0; i < 5; ++i) store_shades(word[i], reinterpret_cast<__m256i*>(out) + i);
-  for (unsigned rest = wild; rest != 0; rest &= rest - 1) {
-    const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-    out[i] = plain_shade_planes(triangles[i], c);
-  }
+  alignas(64) std::uint64_t level[kEight];
+  _mm512_store_si512(level, levels);
+  for (std::size_t i = 0; i < kEight; ++i) out[i].level = static_cast<std::uint32_t>(level[i]);
 }
 
 #endif  // HALFSPACE_AVX512

@@ -2,6 +2,7 @@
 #include "frame_planes.hpp"
 
 namespace halfspace {
+namespace {
 
 InterpolationSetup plain_planes(const FrameTriangle& triangle, const FrameConstants& constants,
                                 int count) {
@@ -29,6 +30,8 @@ InterpolationSetup plain_planes(const FrameTriangle& triangle, const FrameConsta
   return interpolation_setup(setup, points, attributes, count, constants.config);
 }
 
+}  // namespace
+
 FramePlane plain_depth_plane(const FrameTriangle& triangle, const FrameConstants& constants) {
   const Plane plane = plain_planes(triangle, constants, 0).depth;
   return frame_plane(plane.at_origin, plane.dx, plane.dy, frame_edges(triangle, constants),
@@ -39,6 +42,7 @@ ShadePlanes plain_shade_planes(const FrameTriangle& triangle, const FrameConstan
   const InterpolationSetup setup = plain_planes(triangle, constants, constants.colors);
   const FrameEdges e = frame_edges(triangle, constants);
   ShadePlanes out;
+  for (std::size_t n = 0; n < 3; ++n) out.level |= std::uint32_t{setup.level[n]} << (8 * n);
   for (std::size_t n = 0; n < kShades; ++n) {
     const Plane& plane = n < 3 ? setup.attribute[n] : setup.inverse_w;
     const FramePlane at = frame_plane(plane.at_origin, plane.dx, plane.dy, e, constants);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Planes of interpolation_setup() and tile_plane(), by a rounded guess and an exact remainder
-// instead of a 128-bit division. Proofs: docs/03_design/frame.md.
+// Planes of interpolation_setup() and tile_plane() for FrameTriangles. Proofs:
+// docs/03_design/frame.md.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@ namespace halfspace {
 struct FrameEdges {
   std::int64_t a0 = 0, b0 = 0;  // of edge 0, opposite vertex 2. S.s px
   std::int64_t a2 = 0, b2 = 0;  // of edge 2, opposite vertex 1
-  std::int64_t area = 1;        // above 0, S.2s px^2
-  double scale = 0;             // 2^(s + F) / area, rounded
+  std::uint64_t factor = 0;     // of AreaReciprocal, below 2^33
+  int shift = 0;                // of a product with it
   std::int64_t x = 0, y = 0;    // from vertex 0 to the centre of pixel (0, 0), S.f px
 };
 
@@ -37,9 +37,9 @@ inline FrameEdges frame_edges(const FrameTriangle& triangle, const FrameConstant
   e.b0 = oriented(e.b0);
   e.a2 = oriented(e.a2);
   e.b2 = oriented(e.b2);
-  e.area = oriented(area);
-  const int shift = c.config.subpixel_bits + c.gradient_bits;
-  e.scale = static_cast<double>(std::uint64_t{1} << shift) / static_cast<double>(e.area);
+  const AreaReciprocal reciprocal = area_reciprocal(oriented(area));
+  e.factor = reciprocal.factor;
+  e.shift = reciprocal.shift - c.config.subpixel_bits - c.gradient_bits;
   const int up = c.f - c.config.subpixel_bits;
   const std::int64_t half = std::int64_t{1} << (c.f - 1);
   e.x = half - (std::int64_t{p.x} << up);
@@ -47,22 +47,13 @@ inline FrameEdges frame_edges(const FrameTriangle& triangle, const FrameConstant
   return e;
 }
 
-// Guesses are right when the quotient is below this; greater ones are divided.
-inline constexpr double kGuessLimit = 0x1p49;
 // Adding it rounds a double below 2^51 to an integer, in its low bits.
 inline constexpr double kRounder = 0x1.8p52;
 
-// floor(numerator 2^shift / area): guess rounds numerator times 2^shift / area to an integer, which
-// is the floor or one more, and the remainder's sign tells which.
-inline std::uint64_t guessed_gradient(std::int64_t numerator, int shift, const FrameEdges& e,
-                                      bool& wild) {
-  const double q = static_cast<double>(numerator) * e.scale;
-  wild |= !(q < kGuessLimit && q > -kGuessLimit);
-  const std::uint64_t g =
-      std::bit_cast<std::uint64_t>(q + kRounder) - std::bit_cast<std::uint64_t>(kRounder);
-  const std::uint64_t rest =
-      (static_cast<std::uint64_t>(numerator) << shift) - g * static_cast<std::uint64_t>(e.area);
-  return g - (rest >> 63);
+// The gradient of interpolation_setup() for its numerator.
+inline std::uint64_t gradient(std::int64_t numerator, const FrameEdges& e) {
+  return static_cast<std::uint64_t>(
+      static_cast<__int128>(numerator) * static_cast<std::int64_t>(e.factor) >> e.shift);
 }
 
 // A plane as the tiles want it.
@@ -100,29 +91,20 @@ inline std::array<std::uint32_t, 3> packed_inverse_w(const FrameTriangle& t,
   return out;
 }
 
-// The same planes by interpolation_setup(), for quotients beyond the guess; count 0 or 3.
-InterpolationSetup plain_planes(const FrameTriangle& triangle, const FrameConstants& constants,
-                                int count);
-
-// The same for the depth plane.
-FramePlane plain_depth_plane(const FrameTriangle& triangle, const FrameConstants& constants);
-
 // The depth plane of a triangle that covers a sample.
 inline FramePlane depth_plane(const FrameTriangle& triangle, const FrameConstants& c) {
   const FrameEdges e = frame_edges(triangle, c);
   const auto value = [&](std::size_t i) { return std::int64_t{triangle.vertex[i]->depth}; };
   const std::int64_t d1 = value(1) - value(0);
   const std::int64_t d2 = value(2) - value(0);
-  const int shift = c.config.subpixel_bits + c.gradient_bits;
-  bool wild = false;
-  const std::uint64_t dx = guessed_gradient(d1 * e.a2 + d2 * e.a0, shift, e, wild);
-  const std::uint64_t dy = guessed_gradient(d1 * e.b2 + d2 * e.b0, shift, e, wild);
-  if (wild) [[unlikely]]
-    return plain_depth_plane(triangle, c);
+  const std::uint64_t dx = gradient(d1 * e.a2 + d2 * e.a0, e);
+  const std::uint64_t dy = gradient(d1 * e.b2 + d2 * e.b0, e);
   return frame_plane(static_cast<std::uint64_t>(value(0)) << c.gradient_bits, dx, dy, e, c);
 }
 
-// Its red, green, blue and 1/w without guesses: the definition, and the scalar kernel's way.
+// The same by interpolation_setup() itself: the definition, and the scalar kernel's way.
+FramePlane plain_depth_plane(const FrameTriangle& triangle, const FrameConstants& constants);
+// Its red, green, blue and 1/w likewise.
 ShadePlanes plain_shade_planes(const FrameTriangle& triangle, const FrameConstants& constants);
 
 // What to add at sample m, as sample_delta().

@@ -52,7 +52,7 @@ struct FramePlane {
 };
 
 // The planes of red, green, blue and 1/w of one triangle, in this order; as FramePlane, with the
-// units of the lanes' steps in the low halves.
+// units of the lanes' steps in the low halves. Colours are less their level.
 inline constexpr std::size_t kShades = 4;
 struct alignas(32) ShadePlanes {
   std::array<std::uint64_t, kShades> origin{};
@@ -60,6 +60,7 @@ struct alignas(32) ShadePlanes {
   std::array<std::uint64_t, kShades> dy{};
   std::array<std::uint64_t, kShades> lane_dx{};
   std::array<std::uint64_t, kShades> lane_dy{};
+  std::uint32_t level = 0;  // red lowest, then green, blue
 };
 
 // A triangle that covers a sample, before its planes. The first vertex is first_vertex(), the way

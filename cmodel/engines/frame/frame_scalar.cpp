@@ -162,7 +162,8 @@ void shade_scalar(const FrameConstants& constants, const FrameTriangle* triangle
       };
       std::uint32_t color = 0xff000000u;
       for (std::size_t n = 0; n < 3; ++n) {
-        color |= std::uint32_t{perspective(at(n), at(3), constants.config)} << (8 * n);
+        const auto level = static_cast<std::uint8_t>(planes.level >> (8 * n));
+        color |= std::uint32_t{perspective(at(n), at(3), level, constants.config)} << (8 * n);
       }
       for (std::size_t m = 0; m < samples; ++m) {
         const std::uint64_t mask = samples == 1 ? tile.passed : passed.passed[k * samples + m];
@@ -183,7 +184,7 @@ void divide_scalar(const FrameConstants& constants, Division* divisions, std::si
     const auto u = static_cast<std::uint32_t>(std::max(d.inverse_w, 1));
     const std::uint32_t top = u << std::countl_zero(u);
     d.reciprocal = reciprocal(top >> (32 - constants.config.reciprocal_bits), constants.config);
-    d.value = perspective(d.attribute, d.inverse_w, constants.config);
+    d.value = perspective(d.attribute, d.inverse_w, 0, constants.config);
   }
 }
 

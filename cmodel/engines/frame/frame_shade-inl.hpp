@@ -20,6 +20,7 @@ struct ShadeTile {
   std::uint32_t lane_dx[kShades];  // a lane to the right, a lane down
   std::uint32_t lane_dy[kShades];
   VI step[kShades];              // of the lanes of the first vector
+  std::uint32_t level;           // ShadePlanes'
   const std::uint64_t* covered;  // of each sample, when there are several
   const std::uint64_t* passed;
   const std::uint64_t* deltas;  // [sample][shade]
@@ -55,12 +56,14 @@ HWY_INLINE void start_tile(const FrameConstants& c, const ShadePlanes& planes, s
     tile.lane_dy[n] = static_cast<std::uint32_t>(planes.lane_dy[n]);
     tile.step[n] = plane_step<kGridLog2>(tile.lane_dx[n], tile.lane_dy[n]);
   }
+  tile.level = planes.level;
 }
 
-// A triangle's values at the lanes of a tile that it has, in place of what is there.
+// A triangle's values and level at the lanes of a tile that it has, in place of what is there.
 template <int kGridLog2, std::size_t kVectors>
 HWY_INLINE void add_values(const FrameConstants& c, const ShadePlanes& planes, std::uint32_t place,
-                           std::uint64_t lanes, VI (&value)[kVectors][kShades]) {
+                           std::uint64_t lanes, VI (&value)[kVectors][kShades],
+                           VU (&level)[kVectors]) {
   const DI d;
   VQuad quad[kShades / kQuadLanes];
   tile_bases<kGridLog2>(c, planes, place, quad);
@@ -78,6 +81,10 @@ HWY_INLINE void add_values(const FrameConstants& c, const ShadePlanes& planes, s
       value[v][n] = VI{_mm512_mask_mov_epi32(value[v][n].raw, here, at.raw)};
       at = hn::Add(at, down);
     }
+  }
+  for (std::size_t v = 0; v < kVectors; ++v) {
+    const auto here = static_cast<__mmask16>(lanes >> (v * kLanes));
+    level[v] = VU{_mm512_mask_set1_epi32(level[v].raw, here, static_cast<int>(planes.level))};
   }
 #else
   alignas(32) std::uint64_t base[kShades];
@@ -102,6 +109,8 @@ HWY_INLINE void add_values(const FrameConstants& c, const ShadePlanes& planes, s
       VI& to = value[lane / kLanes][n];
       to = hn::IfThenElse(here, hn::Add(step[n], hn::Set(d, static_cast<std::int32_t>(down))), to);
     }
+    VU& to = level[lane / kLanes];
+    to = hn::IfThenElse(hn::RebindMask(DU(), here), hn::Set(DU(), planes.level), to);
   }
 #endif
 }
@@ -127,12 +136,14 @@ HWY_INLINE void move_to_samples(const FrameConstants& c, const ShadeTile& tile, 
 }
 
 // Colours as the store keeps them.
-HWY_INLINE VU divided(const Divider& divide, const VI (&value)[kShades]) {
+HWY_INLINE VU divided(const Divider& divide, const VI (&value)[kShades], VU level) {
   const Divisor by = divisor(divide, value[3]);
   const VU red = over(divide, by, value[0]);
   const VU green = hn::ShiftLeft<8>(over(divide, by, value[1]));
   const VU blue = hn::ShiftLeft<16>(over(divide, by, value[2]));
-  return hn::Or(hn::Or(red, green), hn::Or(blue, hn::Set(DU(), 0xff000000u)));
+  const VU color = hn::Or(hn::Or(red, green), hn::Or(blue, hn::Set(DU(), 0xff000000u)));
+  const hn::Repartition<std::uint8_t, DU> bytes;
+  return hn::BitCast(DU(), hn::SaturatedAdd(hn::BitCast(bytes, color), hn::BitCast(bytes, level)));
 }
 
 // The colours of the vector at `lane`.
@@ -147,7 +158,7 @@ HWY_INLINE VU shade_vector(const FrameConstants& c, const Divider& divide, const
     value[n] = hn::Add(tile.step[n], hn::Set(d, static_cast<std::int32_t>(at)));
   }
   move_to_samples(c, tile, lane, value);
-  return divided(divide, value);
+  return divided(divide, value, hn::Set(DU(), tile.level));
 }
 
 HWY_INLINE void store_colors(VU color, std::uint64_t bits, std::uint32_t* HWY_RESTRICT at) {
@@ -246,37 +257,19 @@ HWY_NOINLINE void shade_tiles(const FrameConstants& frame, FrameStore& store,
     const std::uint32_t place = at->place;
     std::uint64_t any = 0;
     VI value[kVectors][kShades];
-    for (auto& vector : value) {
-      for (VI& shade : vector) shade = hn::Zero(DI());
+    VU level[kVectors];
+    for (std::size_t v = 0; v < kVectors; ++v) {
+      for (VI& shade : value[v]) shade = hn::Zero(DI());
+      level[v] = hn::Zero(DU());
     }
     for (; at != end && at->place == place; ++at) {
       any |= at->passed;
-      add_values<kGridLog2>(c, planes[at->triangle], place, at->passed, value);
+      add_values<kGridLog2>(c, planes[at->triangle], place, at->passed, value, level);
     }
     std::uint32_t* const stored = memory.at(place & 0xffff, place >> 16) + kTile;
     for (std::size_t v = 0; v < kVectors; ++v) {
       const std::uint64_t bits = any >> (v * kLanes) & kAllLanes;
-      if (bits != 0) store_colors(divided(divide, value[v]), bits, stored + v * kLanes);
-    }
-  }
-}
-
-void Divide(const FrameConstants& c, Division* divisions, std::size_t count) {
-  const Divider divide = divider(c);
-  alignas(64) std::int32_t attribute[kLanes], inverse_w[kLanes];
-  alignas(64) std::uint32_t reciprocal[kLanes], value[kLanes];
-  for (std::size_t first = 0; first < count; first += kLanes) {
-    const std::size_t lanes = HWY_MIN(kLanes, count - first);
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      attribute[i] = divisions[first + (i < lanes ? i : 0)].attribute;
-      inverse_w[i] = divisions[first + (i < lanes ? i : 0)].inverse_w;
-    }
-    const Divisor by = divisor(divide, hn::Load(DI(), inverse_w));
-    hn::Store(by.reciprocal, DU(), reciprocal);
-    hn::Store(over(divide, by, hn::Load(DI(), attribute)), DU(), value);
-    for (std::size_t i = 0; i < lanes; ++i) {
-      divisions[first + i].reciprocal = reciprocal[i];
-      divisions[first + i].value = value[i];
+      if (bits != 0) store_colors(divided(divide, value[v], level[v]), bits, stored + v * kLanes);
     }
   }
 }
