@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <random>
 
-#include "generators.hpp"
 #include "geometry.hpp"
 #include "rasterizer.hpp"
+#include "vectors/generators.hpp"
 
 namespace halfspace {
 namespace {
