@@ -85,6 +85,12 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
+// True when a box is not empty and lies in the frame.
+inline bool inside(const Box& box, const FrameState& frame) {
+  return box.x_first >= 0 && box.x_first <= box.x_last && box.x_last < frame.width &&
+         box.y_first >= 0 && box.y_first <= box.y_last && box.y_last < frame.height;
+}
+
 // The slopes of one edge function, inside positive: E(x + 1 px, y) = E + a 2^q.
 struct EdgeSlope {
   std::int32_t a = 0;  // S.s px, delta_bits()

@@ -38,7 +38,8 @@ STAGES = {"geometry": NO_RTL,                 # runs on the host
           "half_plane_grid": ("checker",),    # no handshake: a part of the next two
           "tile_traversal": (),
           "coverage": (),
-          "interpolation": NO_RTL,            # no RTL yet, nor the next three
+          "scissor": NO_RTL,                  # no RTL yet, nor the next four
+          "interpolation": NO_RTL,
           "depth": NO_RTL,
           "shading": NO_RTL,
           "framebuffer": NO_RTL}
