@@ -33,7 +33,7 @@ struct Config {
   // Clocks between triangles in triangle_setup: 1, or 3 (multipliers shared).
   int setup_interval = 1;
   int tag_bits = 16;         // width of the triangle tag that travels with every packet, 1..32
-  int depth_bits = 24;       // depth buffer: U0.depth_bits, 16..24
+  int depth_bits = 24;       // depth buffer: U0.depth_bits, 16..32
   int attributes = 3;        // 8-bit attributes per vertex (red, green, blue first), 0..8
   int inverse_w_bits = 30;   // precision of 1/w within a triangle, 12..30
   int gradient_bits = 16;    // F: fraction bits of a plane's gradient, 0..20
@@ -74,6 +74,8 @@ struct Config {
   constexpr int node_log2(int level) const { return grid_log2 * (levels() - level); }
   // Whether register 1 of `level` (levels() - 1 = coverage) is a FIFO of two: hs_pkg::buffered().
   constexpr bool buffered(int level) const { return (levels() - 1 - level) % 2 == 0; }
+  // The greatest depth: that of the far plane.
+  constexpr std::uint32_t depth_max() const { return 0xffffffffu >> (32 - depth_bits); }
   constexpr int max_size() const { return 1 << viewport_bits; }
 
   // Vertex coordinate, S.s px.

@@ -9,11 +9,11 @@
 namespace halfspace {
 
 std::uint32_t depth_value(std::int32_t units, const Config& config) {
-  const int shift = kPlaneBits - config.depth_bits;
+  const int down = kPlaneBits - config.depth_bits;
+  const std::int64_t half = down > 0 ? std::int64_t{1} << (down - 1) : 0;
   const std::int64_t rounded =
-      floor_shift(std::int64_t{units} + (std::int64_t{1} << (shift - 1)), shift);
-  const std::int64_t greatest = (std::int64_t{1} << config.depth_bits) - 1;
-  return static_cast<std::uint32_t>(std::clamp<std::int64_t>(rounded, 0, greatest));
+      down > 0 ? floor_shift(units + half, down) : std::int64_t{units} * (std::int64_t{1} << -down);
+  return static_cast<std::uint32_t>(std::clamp<std::int64_t>(rounded, 0, config.depth_max()));
 }
 
 GridMask depth_test(GridMask covered, const TilePlane& plane, DepthFunction function,
@@ -24,9 +24,8 @@ GridMask depth_test(GridMask covered, const TilePlane& plane, DepthFunction func
     const std::uint32_t depth =
         depth_value(plane.at(lane & (config.grid() - 1), lane >> config.grid_log2), config);
     std::uint32_t& old = stored[static_cast<std::size_t>(lane)];
-    const bool wins = function == DepthFunction::kAlways || depth < old ||
-                      (function == DepthFunction::kLessEqual && depth == old);
-    if (!wins) continue;
+    const int compared = depth < old ? 0 : depth == old ? 1 : 2;
+    if ((passing(function) >> compared & 1) == 0) continue;
     old = depth;
     passed |= GridMask{1} << lane;
   }

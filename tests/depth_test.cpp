@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace halfspace {
 namespace {
 
@@ -56,6 +58,42 @@ TEST(Depth, ValueIsRoundedToNearestAndClamped) {
   EXPECT_EQ(depth_value(31, kFull), 0u);
   EXPECT_EQ(depth_value(32, kFull), 1u);
   EXPECT_EQ(depth_value(INT32_MAX, kFull), (1u << 24) - 1);
+}
+
+// Each function, against the comparison that its name says, for a depth on either side and alike.
+TEST(Depth, EveryFunctionComparesAsItIsNamed) {
+  const auto wins = [](DepthFunction function, std::uint32_t depth) {
+    DepthTile stored{};
+    stored.fill(100);
+    const bool won = depth_test(2, flat(depth, kFull), function, stored, kFull) == 2;
+    EXPECT_EQ(stored[1], won ? depth : 100);
+    return won;
+  };
+  for (const std::uint32_t depth : {0u, 99u, 100u, 101u, 0xffffffu}) {
+    EXPECT_FALSE(wins(DepthFunction::kNever, depth));
+    EXPECT_EQ(wins(DepthFunction::kLess, depth), depth < 100);
+    EXPECT_EQ(wins(DepthFunction::kEqual, depth), depth == 100);
+    EXPECT_EQ(wins(DepthFunction::kLessEqual, depth), depth <= 100);
+    EXPECT_EQ(wins(DepthFunction::kGreater, depth), depth > 100);
+    EXPECT_EQ(wins(DepthFunction::kNotEqual, depth), depth != 100);
+    EXPECT_EQ(wins(DepthFunction::kGreaterEqual, depth), depth >= 100);
+    EXPECT_TRUE(wins(DepthFunction::kAlways, depth));
+  }
+}
+
+TEST(Depth, ValueReachesBothEndsWithEveryNumberOfBits) {
+  for (int bits = 16; bits <= 32; ++bits) {
+    Config config;
+    config.depth_bits = bits;
+    EXPECT_EQ(depth_value(0, config), 0u) << bits;
+    EXPECT_EQ(depth_value(-5, config), 0u) << bits;
+    EXPECT_EQ(depth_value(1 << 30, config), config.depth_max()) << bits;
+    EXPECT_EQ(depth_value(3 << 29, config), config.depth_max()) << bits;
+    EXPECT_EQ(depth_value(1 << 29, config), 1u << (bits - 1)) << bits;
+    const std::uint32_t step = bits > 30 ? 1u << (bits - 30) : 1;
+    EXPECT_EQ(depth_value((1 << 29) + (1 << std::max(30 - bits, 0)), config),
+              (1u << (bits - 1)) + step);
+  }
 }
 
 }  // namespace

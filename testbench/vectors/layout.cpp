@@ -182,7 +182,7 @@ Layout depth_in_layout(const Config& config) {
                 {"plane.base", 32, true},
                 {"plane.dx", 32, true},
                 {"plane.dy", 32, true},
-                {"function", 2, false}};
+                {"function", 3, false}};
   add_stored(layout, config);
   return layout;
 }

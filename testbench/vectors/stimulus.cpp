@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stimulus.hpp"
 
+#include <algorithm>
 #include <bit>
 
 #include "coverage.hpp"
@@ -99,10 +100,10 @@ void StimulusMaker::draw_tile(const ShadedTriangle& triangle, const SetupTriangl
       continue;
     }
     const auto [entry, fresh] = depth_.try_emplace({node.x, node.y, m});
-    if (fresh) entry->second.fill((std::uint32_t{1} << config.depth_bits) - 1);
+    if (fresh) entry->second.fill(config.depth_max());
     TilePlane plane = tile_plane(planes.depth, planes.origin, node.x, node.y, config);
     plane.base += sample_delta(planes.depth, m, config);
-    const auto function = static_cast<DepthFunction>(planes_ % 3);
+    const auto function = static_cast<DepthFunction>(planes_ % kDepthFunctions);
     sink(values_of(DepthInput{mask, plane, function, entry->second}, config));
     depth_test(mask, plane, function, entry->second, config);
   }
@@ -120,7 +121,7 @@ int count_leaves(const Triangle& triangle, const FrameState& frame, const Config
 std::array<VertexAttributes, 3> random_attributes(Random& random, const Config& config) {
   std::array<VertexAttributes, 3> out;
   const std::int64_t depth_most =
-      (std::int64_t{1} << kPlaneBits) - (1 << (kPlaneBits - config.depth_bits));
+      (std::int64_t{1} << kPlaneBits) - (1 << std::max(kPlaneBits - config.depth_bits, 0));
   const std::int64_t w_most = (std::int64_t{1} << config.inverse_w_bits) - 1;
   for (VertexAttributes& vertex : out) {
     vertex.depth = static_cast<std::int32_t>(random.in(0, depth_most));
