@@ -167,16 +167,16 @@ PieceAccount explain_triangle(const Triangle& triangle, const FrameState& frame,
   return piece;
 }
 
-Explainer::Explainer(const FrameState& frame, const Config& config, DepthFunction depth_function,
+Explainer::Explainer(const FrameState& frame, const Config& config, const DepthState& depth,
                      Rgb background, const SamplePoint& at, bool keep_all)
     : frame_(frame),
       config_(config),
-      depth_function_(depth_function),
+      depth_function_(depth.function),
       at_(at),
       keep_all_(keep_all),
-      tile_(frame, config, depth_function, background) {
+      tile_(frame, config, depth, background) {
   HS_CHECK(config.tag_bits == 32);
-  stored_.fill((std::uint32_t{1} << config.depth_bits) - 1);
+  stored_.fill(depth.cleared(config));
 }
 
 std::uint32_t Explainer::depth() const {

@@ -90,8 +90,8 @@ class Explainer {
  public:
   // keep_all: keep an account of every triangle; else only of those from kTieLost on, the rest
   // is counted. config.tag_bits must be 32, so that tags are indices (checked).
-  Explainer(const FrameState& frame, const Config& config, DepthFunction depth_function,
-            Rgb background, const SamplePoint& at, bool keep_all);
+  Explainer(const FrameState& frame, const Config& config, const DepthState& depth, Rgb background,
+            const SamplePoint& at, bool keep_all);
 
   // The next triangle out of the geometry stage; its tag is the index of the submitted triangle and
   // never falls. Indices that are skipped were clipped away.

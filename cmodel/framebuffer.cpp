@@ -3,12 +3,14 @@
 
 namespace halfspace {
 
-Framebuffer::Framebuffer(const FrameState& frame, const Config& config, Rgb background)
+Framebuffer::Framebuffer(const FrameState& frame, const Config& config, Rgb background,
+                         std::uint32_t clear)
     : config_(config),
       width_(frame.width),
       height_(frame.height),
       columns_((frame.width + config.grid() - 1) >> config.grid_log2),
-      background_(background) {
+      background_(background),
+      clear_(clear) {
   const int rows = (frame.height + config.grid() - 1) >> config.grid_log2;
   tiles_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows));
 }
@@ -22,12 +24,12 @@ FrameTile& Framebuffer::tile(std::int32_t x, std::int32_t y) {
     ++touched_;
     slot = std::make_unique<FrameTile>();
     const auto samples = static_cast<std::size_t>(config_.samples);
-    DepthTile far{};
-    far.fill((std::uint32_t{1} << config_.depth_bits) - 1);
-    ColorTile clear{};
-    clear.fill(background_);
-    slot->depth.assign(samples, far);
-    slot->color.assign(samples, clear);
+    DepthTile depth{};
+    depth.fill(clear_);
+    ColorTile color{};
+    color.fill(background_);
+    slot->depth.assign(samples, depth);
+    slot->color.assign(samples, color);
   }
   return *slot;
 }
@@ -65,8 +67,7 @@ Image Framebuffer::resolve() const {
 
 std::vector<std::uint32_t> Framebuffer::depth() const {
   std::vector<std::uint32_t> out(
-      static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_),
-      (std::uint32_t{1} << config_.depth_bits) - 1);
+      static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), clear_);
   std::size_t at = 0;
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x, ++at) {

@@ -32,10 +32,10 @@ struct FrameTile {
 // frame costs what its picture covers. Twin: none yet in rtl/.
 class Framebuffer {
  public:
-  // background: the colour of samples no triangle won.
-  Framebuffer(const FrameState& frame, const Config& config, Rgb background);
+  // background, clear: colour and depth of samples that no triangle won.
+  Framebuffer(const FrameState& frame, const Config& config, Rgb background, std::uint32_t clear);
 
-  // The tile whose first pixel is (x, y), cleared to the far plane when new.
+  // The tile whose first pixel is (x, y), cleared when new.
   FrameTile& tile(std::int32_t x, std::int32_t y);
 
   std::size_t tiles_touched() const { return touched_; }
@@ -44,7 +44,7 @@ class Framebuffer {
   // Averages each pixel's samples, rounding to nearest (halves up).
   Image resolve() const;
 
-  // Depth of sample 0 of each pixel, row by row from the top; far where nothing was drawn.
+  // Depth of sample 0 of each pixel, row by row from the top; `clear` where nothing was drawn.
   std::vector<std::uint32_t> depth() const;
 
  private:
@@ -56,6 +56,7 @@ class Framebuffer {
   int height_;
   int columns_;
   Rgb background_;
+  std::uint32_t clear_;
   std::size_t touched_ = 0;
   std::vector<std::unique_ptr<FrameTile>> tiles_;
 };

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "fixed.hpp"
+
 namespace halfspace {
 
 RasterStats& RasterStats::operator+=(const RasterStats& other) {
@@ -23,14 +25,18 @@ RasterStats& RasterStats::operator+=(const RasterStats& other) {
   return *this;
 }
 
-Rasterizer::Rasterizer(const FrameState& frame, const Config& config, DepthFunction depth_function,
-                       Rgb background)
+Rasterizer::Rasterizer(const FrameState& frame, const Config& config, const DepthState& depth,
+                       Rgb background, const std::optional<Box>& scissor)
     : frame_(frame),
       config_(config),
-      depth_function_(depth_function),
-      framebuffer_(frame, config, background),
+      depth_function_(depth.function),
+      scissor_(scissor),
+      framebuffer_(frame, config, background, depth.cleared(config)),
       hit_count_(frame.width, frame.height),
-      colors_(std::min(config.attributes, 3)) {}
+      colors_(std::min(config.attributes, 3)) {
+  HS_CHECK(depth.cleared(config) <= config.depth_max());
+  if (scissor) HS_CHECK(inside(*scissor, frame));
+}
 
 void Rasterizer::draw(const ShadedTriangle& triangle) {
   rasterize(
@@ -48,6 +54,11 @@ void Rasterizer::begin(const ShadedTriangle& triangle, const SetupTriangle& setu
 
 void Rasterizer::draw_tile(const CoverageTile& tile) {
   hit_count_.add(tile, config_);
+  if (!scissor_) return draw_inside(tile);
+  if (const auto left = scissor(tile, *scissor_, config_)) draw_inside(*left);
+}
+
+void Rasterizer::draw_inside(const CoverageTile& tile) {
   if (!has_depth_) {
     planes_ = interpolation_setup(setup_, triangle_->triangle, triangle_->attributes, 0, config_);
     has_depth_ = true;

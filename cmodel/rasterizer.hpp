@@ -18,6 +18,7 @@
 #include "hit_count.hpp"
 #include "interpolation.hpp"
 #include "packets.hpp"
+#include "scissor.hpp"
 #include "shading.hpp"
 #include "tile_traversal.hpp"
 #include "triangle_setup.hpp"
@@ -117,13 +118,14 @@ struct Fragment {
   std::array<std::uint32_t, kMaxSamples> depth{};  // of the samples that passed; 0 elsewhere
 };
 
-// The whole pipeline at level bit: coverage, then depth, then, where depth passed, attributes
-// into the framebuffer.
+// The whole pipeline at level bit: coverage, scissor, then depth, then, where depth passed,
+// attributes into the framebuffer.
 class Rasterizer {
  public:
   // config: legal. frame: 1..2^viewport_bits a side. background: colour where nothing is drawn.
-  Rasterizer(const FrameState& frame, const Config& config, DepthFunction depth_function,
-             Rgb background);
+  // scissor: nothing is drawn outside, though counted as coverage; inside the frame (checked).
+  Rasterizer(const FrameState& frame, const Config& config, const DepthState& depth, Rgb background,
+             const std::optional<Box>& scissor = {});
 
   // Draws one triangle: attributes 0..2 are red, green and blue (missing ones are 0). Coverage is
   // also added to hit_count().
@@ -143,6 +145,7 @@ class Rasterizer {
   const HitCount& hit_count() const { return hit_count_; }
 
  private:
+  void draw_inside(const CoverageTile& tile);
   SampleMasks test_tile(const CoverageTile& tile, FrameTile& stored);
   void shade_tile(const CoverageTile& tile, const SampleMasks& passed, FrameTile& stored);
   Fragment fragment_at(int lane, const CoverageTile& tile, const SampleMasks& passed,
@@ -151,6 +154,7 @@ class Rasterizer {
   FrameState frame_;
   Config config_;
   DepthFunction depth_function_;
+  std::optional<Box> scissor_;
   Framebuffer framebuffer_;
   HitCount hit_count_;
   RasterStats stats_;

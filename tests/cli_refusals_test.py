@@ -26,8 +26,24 @@ class Refusals(Program):
                      ("render", TEAPOT, "--out", "a.png", "--simplify", "inf"),
                      ("render", TEAPOT, "--out", "a.png", "--fov", "0"),
                      ("render", TEAPOT, "--out", "a.png", "--ortho", "-1"),
+                     ("render", TEAPOT, "--out", "a.png", "--depth-clear", "1.01"),
+                     ("render", TEAPOT, "--out", "a.png", "--depth-clear", "-0.5"),
+                     ("render", TEAPOT, "--out", "a.png", "--depth-clear", "nan"),
                      ("render", TEAPOT, "--out", "a.png", "--samples", "0")):
             self.refuse("HS001", *args)
+
+    def test_depth_tests_and_rectangles_that_are_none(self):
+        render = ("render", TEAPOT, "--out", "a.png", "--size", "64x48")
+        self.refuse("HS001", *render, "--depth-test", "nearer", says="greater_equal")
+        self.refuse("HS001", "explain", TEAPOT, "1", "1", "--depth-test", "", says="never")
+        for text in ("", "1,2", "1,2,3,4", "0,0,64x48x", "0;0,64x48", "a,0,8x8", "0,0,99999999999x1"):
+            self.refuse("HS001", *render, "--scissor", text, says="X,Y,WIDTHxHEIGHT")
+        for text in ("0,0,65x48", "0,0,64x49", "-1,0,8x8", "64,0,1x1", "0,0,0x8", "8,8,-4x4",
+                     "2147483647,0,1x1"):
+            self.refuse("HS001", *render, "--scissor", text, says="64 x 48")
+        for shade in ("coverage", "tiles"):
+            self.refuse("HS001", *render, "--scissor", "0,0,8x8", "--shade", shade)
+        self.refuse("HS001", *render, "--scissor", "0,0,8x8", "--method", "engine")
 
     def test_outputs_that_would_replace_each_other(self):
         tcov = TESTS / "data/public.tcov"

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,9 @@ struct Case {
   const char* name;
   Config config;
   FrameState frame;
-  DepthFunction depth_function = DepthFunction::kLess;
+  DepthState depth = {};
   int triangles = 6000;
+  std::optional<Box> scissor = {};
 };
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
@@ -60,6 +62,23 @@ const std::vector<Case>& cases() {
        DepthFunction::kLess,
        1500},
       {"finest_small_grid", odd(12, 15, 16, 1, 2, 19, 7, 13, 20), {77, 50, Cull::kNone}},
+      {"never", kFull, {64, 40, Cull::kNone}, DepthFunction::kNever, 500},
+      {"equal", kFull, {64, 40, Cull::kNone}, {DepthFunction::kEqual, 0}},
+      {"greater", kTiny, {61, 40, Cull::kNone}, {DepthFunction::kGreater, 0}},
+      {"greater_msaa4", kMsaa4, {64, 40, Cull::kNone}, {DepthFunction::kGreaterEqual, 1u << 23}},
+      {"not_equal", kFull, {64, 40, Cull::kNone}, {DepthFunction::kNotEqual, 0xffffff}},
+      {"cleared", kFull, {64, 40, Cull::kNone}, {DepthFunction::kLess, 1u << 23}},
+      {"depth_25", odd(8, 8, 9, 1, 3, 16, 16, 30, 25), {99, 40, Cull::kNone}},
+      {"depth_30", odd(8, 8, 9, 1, 2, 16, 16, 30, 30), {99, 40, Cull::kNone}},
+      {"depth_31", odd(8, 8, 9, 2, 3, 16, 16, 30, 31), {99, 40, Cull::kNone}},
+      {"depth_32", odd(8, 8, 9, 1, 3, 16, 16, 30, 32), {99, 40, Cull::kNone}},
+      {"depth_32_greater",
+       odd(8, 8, 9, 1, 3, 16, 16, 30, 32),
+       {99, 40, Cull::kNone},
+       {DepthFunction::kGreater, 0xfffffff3u}},
+      {"scissor", kFull, {99, 80, Cull::kNone}, {}, 6000, Box{9, 17, 70, 55}},
+      {"scissor_tile", kTiny, {99, 80, Cull::kNone}, {}, 6000, Box{8, 8, 15, 15}},
+      {"scissor_pixel", kMsaa4, {99, 80, Cull::kNone}, {}, 6000, Box{40, 33, 40, 33}},
       {"one_pixel", odd(4, 3, 5, 8, 2, 16, 12, 24, 16), {1, 1, Cull::kNone}},
   };
   return all;
@@ -113,14 +132,15 @@ TEST_P(FrameEngineCases, DrawsWhatTheStagesDrawOnEveryInstructionSet) {
   const std::uint64_t seed = 20250;
   const std::vector<ShadedTriangle> triangles = random_triangles(c, seed);
   const Rgb background{9, 80, 200};
-  Rasterizer plain(c.frame, c.config, c.depth_function, background);
+  Rasterizer plain(c.frame, c.config, c.depth, background, c.scissor);
   for (const ShadedTriangle& triangle : triangles) plain.draw(triangle);
-  ASSERT_GT(plain.stats().fragments_shaded, 0u);
+  ASSERT_EQ(plain.stats().fragments_shaded > 0, c.depth.function != DepthFunction::kNever);
   const std::size_t touched = plain.framebuffer().tiles_touched();
   for (const std::string_view isa : coverage_isas()) {
     SCOPED_TRACE(std::string(isa) + ", seed " + std::to_string(seed));
     FrameOptions options;
-    options.depth_function = c.depth_function;
+    options.depth = c.depth;
+    options.scissor = c.scissor;
     options.background = background;
     options.isa = isa;
     options.count_hits = true;

@@ -27,7 +27,6 @@ FrameConstants constants_of(const Config& config) {
   out.gradient_bits = config.gradient_bits;
   out.samples = config.samples;
   out.packed = true;
-  out.far = (std::uint32_t{1} << config.depth_bits) - 1;
   return out;
 }
 

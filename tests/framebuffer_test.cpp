@@ -43,7 +43,7 @@ TEST(Framebuffer, AllocatesOnlyTouchedTiles) {
 
 TEST(Framebuffer, ResolveAveragesSamplesToNearest) {
   Config config = kMsaa4;
-  Framebuffer f({8, 8, Cull::kNone}, config, {10, 20, 30});
+  Framebuffer f({8, 8, Cull::kNone}, config, {10, 20, 30}, config.depth_max());
   FrameTile& tile = f.tile(0, 0);
   for (std::size_t m = 0; m < 3; ++m) tile.color[m][9] = {255, 0, 33};
   const Image image = f.resolve();

@@ -14,7 +14,8 @@ namespace {
 
 FrameOptions engine_options(const BitFrameOptions& options) {
   FrameOptions out;
-  out.depth_function = options.depth_function;
+  out.depth = options.depth;
+  out.scissor = options.scissor;
   out.background = options.background;
   out.count_hits = true;
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
@@ -47,7 +48,7 @@ BitFrame draw_bit_frame(const Scene& scene, std::size_t index, const FrameState&
   stats.raster += counted;
   const FrameStore& framebuffer = engine.framebuffer();
   stats.tiles_touched += framebuffer.tiles_touched();
-  const std::uint32_t far = (std::uint32_t{1} << config.depth_bits) - 1;
+  const std::uint32_t far = config.depth_max();
   return {options.depth_picture
               ? picture_of_depth(framebuffer.depth(), frame.width, frame.height, far)
               : framebuffer.resolve(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "depth.hpp"
@@ -11,11 +12,12 @@
 namespace halfspace {
 
 struct BitFrameOptions {
-  DepthFunction depth_function = DepthFunction::kLess;
+  DepthState depth;
   Rgb background{};
   bool depth_picture = false;  // the depths instead of the colours
   bool count_nodes = false;    // also count the walk down the pyramid: costs about as much again
   int threads = 0;             // 0: as many as the machine has
+  std::optional<Box> scissor;  // nothing is drawn outside
 };
 
 struct BitFrame {

@@ -24,7 +24,7 @@ struct ExplainOptions {
   std::string x, y;  // numbers, as text: so that -1 is out of range and not an unknown option
   int sample = 0;
   std::string cull = "none";
-  std::string depth_test = "less";
+  DepthOptions depth;
   bool all = false;
   bool json = false;
   std::string method;
@@ -59,8 +59,8 @@ int explain_by_method(const LabDoor& lab, const ExplainOptions& options) {
 int run_explain(const LabDoor* lab, const ExplainOptions& options) {
   if (!options.method.empty()) return explain_by_method(require_lab(lab), options);
   const Cull cull = parse_cull(options.cull);
-  const DepthFunction depth_function = parse_depth_test(options.depth_test);
   Config config = options.config.load();
+  const DepthState depth = options.depth.load(config);
   if (options.sample < 0 || options.sample >= config.samples) {
     throw Error(ErrorCode::kSample, "--sample",
                 fmt::format("{} is out of range (0..{})", options.sample, config.samples - 1));
@@ -72,7 +72,7 @@ int run_explain(const LabDoor* lab, const ExplainOptions& options) {
               parse_pixel(options.y, "Y", about.frame.height), options.sample};
 
   config.tag_bits = 32;  // tags are the indices of submitted triangles
-  Explainer explainer(about.frame, config, depth_function, kBackground, about.at,
+  Explainer explainer(about.frame, config, depth, kBackground, about.at,
                       options.all || options.json);
   RunStats stats;
   scene->draw(0, about.frame, config, stats,
@@ -102,13 +102,13 @@ Action add_explain_command(Command& program, const LabDoor* lab) {
   command->add_option("--sample", o->sample, "Sample of the pixel")->capture_default_str();
   o->config.add_to(*command);
   add_cull_option(*command, o->cull);
-  command->add_option("--depth-test", o->depth_test, "less or less_equal")->capture_default_str();
+  o->depth.add_to(*command);
   command->add_flag("--all", o->all, "Details of every triangle, not only of those near");
   command->add_flag("--json", o->json, "Everything, as JSON");
   Option* method =
       command->add_option("--method", o->method,
                           "By a method of the gallery, beside the exact rule (halfspace methods)");
-  for (const char* other : {"--sample", "--samples", "--cull", "--depth-test"}) {
+  for (const char* other : {"--sample", "--samples", "--cull", "--depth-test", "--depth-clear"}) {
     method->excludes(command->get_option(other));  // it samples centres, and has its own way
   }
   command->footer(

@@ -44,7 +44,8 @@ struct RenderOptions {
   std::string trace;
   std::string cull = "none";
   std::string shade;
-  std::string depth_test = "less";
+  DepthOptions depth;
+  std::string scissor;
   int threads = 0;
   std::string method;
   double simplify = 0;
@@ -95,7 +96,7 @@ class FrameRun {
 
   // By the stages one after the other.
   Image full(Fidelity level, const BitFrameOptions& options) {
-    Rasterizer rasterizer(frame_, config_, options.depth_function, options.background);
+    Rasterizer rasterizer(frame_, config_, options.depth, options.background, options.scissor);
     LevelRun run(
         level, frame_, config_, stats_,
         [&](const ShadedTriangle& triangle, const SetupTriangle& setup) {
@@ -106,7 +107,7 @@ class FrameRun {
     stats_.raster.fragments_shaded += rasterizer.stats().fragments_shaded;
     const Framebuffer& framebuffer = rasterizer.framebuffer();
     stats_.tiles_touched += framebuffer.tiles_touched();
-    const std::uint32_t far = (std::uint32_t{1} << config_.depth_bits) - 1;
+    const std::uint32_t far = config_.depth_max();
     return finish(rasterizer.hit_count().count(),
                   options.depth_picture
                       ? picture_of_depth(framebuffer.depth(), frame_.width, frame_.height, far)
@@ -178,9 +179,13 @@ int run_render(const RenderOptions& options, const MethodDrawing* gallery) {
                       : options.shade == "flat" ? Shade::kFlat
                                                 : Shade::kGouraud;
   const Cull cull = parse_cull(options.cull);
-  const BitFrameOptions bit{parse_depth_test(options.depth_test), kBackground,
-                            shade == Shade::kDepth, !options.stats.empty(), options.threads};
   const Config config = options.config.load();
+  BitFrameOptions bit{options.depth.load(config), kBackground,     shade == Shade::kDepth,
+                      !options.stats.empty(),     options.threads, {}};
+  if (!options.scissor.empty() && (shade == Shade::kCoverage || shade == Shade::kTiles)) {
+    throw Error(ErrorCode::kUsage, "--scissor",
+                "coverage is counted before it: --shade without it");
+  }
   require_level(level, config);
   if (!options.trace.empty()) check_trace(options.trace, level);
   check_distinct({options.out, options.stats, options.trace});
@@ -196,6 +201,7 @@ int run_render(const RenderOptions& options, const MethodDrawing* gallery) {
   for (std::size_t i = 0; i < scene->frames(); ++i) {
     FrameState frame = scene->frame(i, config);
     frame.cull = cull;
+    if (!options.scissor.empty()) bit.scissor = parse_scissor(options.scissor, frame);
     if (by_method) {
       images.push_back(gallery->draw(*scene, i, frame, options.method, options.shade, stats));
       continue;
@@ -241,7 +247,9 @@ Action add_render_command(Command& program, const MethodDrawing* gallery) {
                    "Leave out triangles as long as the surface moves by at most this many pixels")
       ->check(not_negative())
       ->type_name("PX");
-  command->add_option("--depth-test", o->depth_test, "less or less_equal")->capture_default_str();
+  o->depth.add_to(*command);
+  command->add_option("--scissor", o->scissor, "Draw inside this rectangle alone, pixels")
+      ->type_name("X,Y,WxH");
   command
       ->add_option("--threads", o->threads,
                    "Threads of level bit, 0: as many as the machine has; the picture is the same")
@@ -249,8 +257,8 @@ Action add_render_command(Command& program, const MethodDrawing* gallery) {
       ->capture_default_str();
   Option* method = command->add_option(
       "--method", o->method, "Draw with a method of the gallery (halfspace methods lists them)");
-  for (const char* other :
-       {"--level", "--trace", "--depth-test", "--cull", "--samples", "--threads"}) {
+  for (const char* other : {"--level", "--trace", "--depth-test", "--depth-clear", "--scissor",
+                            "--cull", "--samples", "--threads"}) {
     method->excludes(command->get_option(other));  // the method has its own way
   }
   command->footer(

@@ -3,6 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
 #include "io/error.hpp"
 #include "number_checks.hpp"
 
@@ -32,11 +38,66 @@ std::unique_ptr<Scene> SceneOptions::open_one(const Config& config, Lighting lig
               fmt::format("the file has {} cases: choose one with --case", scene->frames()));
 }
 
-DepthFunction parse_depth_test(const std::string& name) {
-  if (name == "less") return DepthFunction::kLess;
-  if (name == "less_equal") return DepthFunction::kLessEqual;
+namespace {
+
+constexpr std::array<std::pair<std::string_view, DepthFunction>, kDepthFunctions> kDepthTests{
+    {{"never", DepthFunction::kNever},
+     {"less", DepthFunction::kLess},
+     {"equal", DepthFunction::kEqual},
+     {"less_equal", DepthFunction::kLessEqual},
+     {"greater", DepthFunction::kGreater},
+     {"not_equal", DepthFunction::kNotEqual},
+     {"greater_equal", DepthFunction::kGreaterEqual},
+     {"always", DepthFunction::kAlways}}};
+
+}  // namespace
+
+void DepthOptions::add_to(Command& command) {
+  command
+      .add_option("--depth-test", test,
+                  "never, less, equal, less_equal, greater, not_equal, greater_equal or always")
+      ->capture_default_str();
+  command.add_option("--depth-clear", clear, "Depth where nothing is drawn, 0 (near) to 1 (far)")
+      ->check(not_negative())
+      ->capture_default_str();
+}
+
+DepthState DepthOptions::load(const Config& config) const {
+  if (clear > 1.0) {
+    throw Error(ErrorCode::kUsage, "--depth-clear", fmt::format("{} is not 0..1", clear));
+  }
+  const auto cleared = static_cast<std::uint32_t>(std::llround(clear * config.depth_max()));
+  for (const auto& [name, function] : kDepthTests) {
+    if (name == test) return {function, cleared};
+  }
   throw Error(ErrorCode::kUsage, "--depth-test",
-              fmt::format("'{}' is not less or less_equal", name));
+              fmt::format("'{:.40}' is not never, less, equal, less_equal, greater, not_equal, "
+                          "greater_equal or always",
+                          test));
+}
+
+Box parse_scissor(const std::string& text, const FrameState& frame) {
+  std::array<std::int32_t, 4> value{};  // x, y, width, height
+  constexpr std::string_view kSeparators = ",,x";
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const auto [stop, error] = std::from_chars(at, end, value[i]);
+    const bool last = i + 1 == value.size();
+    if (error != std::errc() || (last ? stop != end : stop == end || *stop != kSeparators[i])) {
+      throw Error(
+          ErrorCode::kUsage, "--scissor",
+          fmt::format("'{:.40}' is not X,Y,WIDTHxHEIGHT in pixels, such as 0,0,320x240", text));
+    }
+    at = last ? stop : stop + 1;
+  }
+  const auto [x, y, width, height] = value;
+  const bool fits = x >= 0 && y >= 0 && width >= 1 && height >= 1 && width <= frame.width - x &&
+                    height <= frame.height - y;
+  if (fits) return {x, y, x + width - 1, y + height - 1};
+  throw Error(
+      ErrorCode::kUsage, "--scissor",
+      fmt::format("{} is not in the frame of {} x {} pixels", text, frame.width, frame.height));
 }
 
 }  // namespace halfspace

@@ -33,7 +33,18 @@ struct SceneOptions {
   std::unique_ptr<Scene> open_one(const Config& config, Lighting lighting) const;
 };
 
-// "less" or "less_equal". Throws Error(kUsage).
-DepthFunction parse_depth_test(const std::string& name);
+// How fragments are tested, as render has the options.
+struct DepthOptions {
+  std::string test = "less";
+  double clear = 1.0;
+
+  // --depth-test, --depth-clear.
+  void add_to(Command& command);
+  // Throws Error(kUsage).
+  DepthState load(const Config& config) const;
+};
+
+// X,Y,WIDTHxHEIGHT, pixels. Throws Error(kUsage) when it is something else or not in the frame.
+Box parse_scissor(const std::string& text, const FrameState& frame);
 
 }  // namespace halfspace

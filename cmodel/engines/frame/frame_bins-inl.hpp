@@ -14,20 +14,21 @@
 HWY_BEFORE_NAMESPACE();
 namespace halfspace::simd::HWY_NAMESPACE {
 
-// Tests records[0] .. records[count - 1] in order against one tile. won[r]: lanes that passed.
+// Tests records[0] .. records[count - 1] in order against one tile, in the lanes that are open.
+// won[r]: lanes that passed.
 // Depths stay in registers where they fit: a record then takes every vector of the tile, covered or
 // not, because skipping one costs more than testing it.
-template <int kGridLog2>
+template <int kGridLog2, bool kLess>
 HWY_INLINE void bin_depths(const DepthTest& test, const BinRecord* HWY_RESTRICT records,
-                           std::size_t count, bool is_new, std::uint32_t* HWY_RESTRICT stored,
-                           std::uint64_t* HWY_RESTRICT won) {
+                           std::size_t count, std::uint64_t open, bool is_new,
+                           std::uint32_t* HWY_RESTRICT stored, std::uint64_t* HWY_RESTRICT won) {
   constexpr std::size_t kVectors = (std::size_t{1} << (2 * kGridLog2)) / kLanes;
 #if HALFSPACE_AVX512
   const DI d;
   auto* HWY_RESTRICT at = reinterpret_cast<std::int32_t*>(stored);
   VI depth[kVectors];
   for (std::size_t v = 0; v < kVectors; ++v) {
-    depth[v] = is_new ? test.far : hn::Load(d, at + v * kLanes);
+    depth[v] = is_new ? test.clear : hn::Load(d, at + v * kLanes);
   }
   for (std::size_t r = 0; r < count; ++r) {
     const BinRecord& record = records[r];
@@ -39,10 +40,9 @@ HWY_INLINE void bin_depths(const DepthTest& test, const BinRecord* HWY_RESTRICT 
       const std::size_t lane = v * kLanes;
       const std::uint32_t down = lane_offset<kGridLog2>(lane, record.lane_dx, record.lane_dy);
       const VI units = hn::Add(first, hn::Set(d, static_cast<std::int32_t>(down)));
-      const VI z = depth_of(test, units);
-      const auto covered = static_cast<__mmask16>(record.covered >> lane);
-      const __mmask16 wins =
-          _mm512_mask_cmplt_epi32_mask(covered, z.raw, hn::Add(depth[v], test.bias).raw);
+      const VI z = depth_of<kLess>(test, units);
+      const auto covered = static_cast<__mmask16>((record.covered & open) >> lane);
+      const auto wins = static_cast<__mmask16>(covered & wins_over<kLess>(test, z, depth[v]).raw);
       depth[v] = VI{_mm512_mask_mov_epi32(depth[v].raw, wins, z.raw)};
       passed |= std::uint64_t{wins} << lane;
     }
@@ -52,12 +52,12 @@ HWY_INLINE void bin_depths(const DepthTest& test, const BinRecord* HWY_RESTRICT 
 #else
   const DI d;
   for (std::size_t v = 0; is_new && v < kVectors; ++v) {
-    hn::Store(test.far, d, reinterpret_cast<std::int32_t*>(stored) + v * kLanes);
+    hn::Store(test.clear, d, reinterpret_cast<std::int32_t*>(stored) + v * kLanes);
   }
   for (std::size_t r = 0; r < count; ++r) {
     const BinRecord& record = records[r];
-    won[r] = test_tile<kGridLog2>(test, record.lane_dx, record.lane_dy, record.base + test.round,
-                                  record.covered, stored);
+    won[r] = test_tile<kGridLog2, kLess>(test, record.lane_dx, record.lane_dy,
+                                         record.base + test.round, record.covered & open, stored);
   }
 #endif
 }
@@ -73,7 +73,20 @@ HWY_INLINE void fetch_ahead(const BinRange& bins, std::size_t t, const FrameStor
   for (std::size_t word = 0; word < memory.tile_words; word += 16) __builtin_prefetch(at + word, 1);
 }
 
-template <int kGridLog2>
+// Counts the records of a tile that the scissor covers, and true: none of it is drawn.
+HWY_INLINE bool is_hidden(const BinRecord* records, std::size_t count, std::uint64_t open,
+                          std::uint64_t& fragments) {
+  std::uint64_t any = 0, covered = 0;
+  for (std::size_t r = 0; r < count; ++r) {
+    any |= records[r].covered & open;
+    covered += static_cast<std::uint64_t>(std::popcount(records[r].covered));
+  }
+  if (any != 0) return false;
+  fragments += covered;
+  return true;
+}
+
+template <int kGridLog2, bool kLess>
 HWY_NOINLINE void bin_tiles(const FrameConstants& c, const BinRange& range, FrameStore& store,
                             PassedTiles& out, FrameCounts& counts) {
   const DepthTest test = depth_constants(c);
@@ -96,9 +109,11 @@ HWY_NOINLINE void bin_tiles(const FrameConstants& c, const BinRange& range, Fram
     const BinRecord* const records = bins.records + begin;
     const std::size_t count = bins.tiles[t].end - begin;
     begin += count;
+    const std::uint64_t open_here = open_lanes(c, place);
+    if (~open_here != 0 && is_hidden(records, count, open_here, fragments)) continue;
     bool is_new = false;
     std::uint32_t* const stored = memory.tile(place & 0xffff, place >> 16, is_new);
-    bin_depths<kGridLog2>(test, records, count, is_new, stored, won);
+    bin_depths<kGridLog2, kLess>(test, records, count, open_here, is_new, stored, won);
     for (std::size_t lane = 0; is_new && lane < kTile; lane += kLanes) {
       hn::Store(background, DU(), stored + kTile + lane);
     }
@@ -121,8 +136,13 @@ HWY_NOINLINE void bin_tiles(const FrameConstants& c, const BinRange& range, Fram
 
 void Bins(const FrameConstants& c, const BinRange& bins, FrameStore& store, PassedTiles& out,
           FrameCounts& counts) {
-  c.config.grid_log2 == 3 ? bin_tiles<3>(c, bins, store, out, counts)
-                          : bin_tiles<2>(c, bins, store, out, counts);
+  if (c.config.grid_log2 == 3) {
+    only_less(c) ? bin_tiles<3, true>(c, bins, store, out, counts)
+                 : bin_tiles<3, false>(c, bins, store, out, counts);
+  } else {
+    only_less(c) ? bin_tiles<2, true>(c, bins, store, out, counts)
+                 : bin_tiles<2, false>(c, bins, store, out, counts);
+  }
 }
 
 }  // namespace halfspace::simd::HWY_NAMESPACE

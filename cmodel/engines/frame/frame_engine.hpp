@@ -8,6 +8,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -28,7 +29,8 @@ namespace halfspace {
 using FrameRunner = std::function<void(int count, const std::function<void(int)>& body)>;
 
 struct FrameOptions {
-  DepthFunction depth_function = DepthFunction::kLess;
+  DepthState depth;
+  std::optional<Box> scissor;  // as Rasterizer
   Rgb background{};
   std::string_view isa;     // one of coverage_isas(); empty: the best
   bool count_hits = false;  // also keep hits()

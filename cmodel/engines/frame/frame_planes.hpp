@@ -8,6 +8,7 @@
 #include <bit>
 
 #include "../../interpolation.hpp"
+#include "../../scissor.hpp"
 #include "frame_records.hpp"
 
 namespace halfspace {
@@ -106,6 +107,14 @@ inline FramePlane depth_plane(const FrameTriangle& triangle, const FrameConstant
 FramePlane plain_depth_plane(const FrameTriangle& triangle, const FrameConstants& constants);
 // Its red, green, blue and 1/w likewise.
 ShadePlanes plain_shade_planes(const FrameTriangle& triangle, const FrameConstants& constants);
+
+// Lanes of a tile that the scissor leaves. word: tile row << 16 | tile column.
+inline std::uint64_t open_lanes(const FrameConstants& c, std::uint32_t word) {
+  if (!c.scissored) return ~std::uint64_t{0};
+  const int g = c.config.grid_log2;
+  return scissor_lanes(c.scissor, static_cast<std::int32_t>((word & 0xffff) << g),
+                       static_cast<std::int32_t>((word >> 16) << g), g);
+}
 
 // What to add at sample m, as sample_delta().
 inline std::uint32_t frame_delta(std::uint64_t dx, std::uint64_t dy, int m,

@@ -122,12 +122,14 @@ struct FrameConstants {
   Config config;
   FrameState frame;
   DepthFunction depth_function = DepthFunction::kLess;
+  std::uint32_t clear = 0;  // depth of a new tile
+  bool scissored = false;
+  Box scissor;             // when scissored
   int f = 8;               // position_bits()
   int gradient_bits = 16;  // F
   int samples = 1;
-  int colors = 3;         // attributes that are colours, 0..3
-  bool packed = false;    // inverse_w is the triangle's already
-  std::uint32_t far = 0;  // 2^depth_bits - 1
+  int colors = 3;       // attributes that are colours, 0..3
+  bool packed = false;  // inverse_w is the triangle's already
 };
 
 // Work counted by the kernels, as RasterStats.

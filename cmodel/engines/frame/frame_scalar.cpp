@@ -105,25 +105,29 @@ void depth_scalar(const FrameConstants& constants, const FrameTiles& tiles,
       const std::uint32_t word = (place.word & ~kRunFlag) + i;
       const std::uint32_t triangle = tiles.triangle[record];
       const TilePlane plane = plane_at(tiles.depth[triangle], word, constants);
-      std::uint32_t* stored = store.tile(word & 0xffff, word >> 16);
+      const std::uint64_t open = open_lanes(constants, word);
+      std::uint32_t* stored = nullptr;  // a tile that the scissor covers is not touched
       std::uint64_t any = 0;
       std::uint64_t any_covered = 0;
       for (std::size_t m = 0; m < samples; ++m) {
         const std::uint64_t covered = place.is_run() ? all : tiles.mask[m][record];
         TilePlane at = plane;
         if (samples > 1) at.base += tiles.depth_delta[triangle * samples + m];
+        any_covered |= covered;
+        counts.samples += static_cast<std::uint64_t>(std::popcount(covered));
+        if (samples > 1) {
+          passed.covered[passed.count * samples + m] = covered;
+          passed.passed[passed.count * samples + m] = 0;
+        }
+        if ((covered & open) == 0) continue;
+        if (stored == nullptr) stored = store.tile(word & 0xffff, word >> 16);
         DepthTile depth{};
         std::copy_n(stored + m * lanes, lanes, depth.begin());
         const GridMask won =
-            depth_test(covered, at, constants.depth_function, depth, constants.config);
+            depth_test(covered & open, at, constants.depth_function, depth, constants.config);
         std::copy_n(depth.begin(), lanes, stored + m * lanes);
-        if (samples > 1) {
-          passed.covered[passed.count * samples + m] = covered;
-          passed.passed[passed.count * samples + m] = won;
-        }
+        if (samples > 1) passed.passed[passed.count * samples + m] = won;
         any |= won;
-        any_covered |= covered;
-        counts.samples += static_cast<std::uint64_t>(std::popcount(covered));
       }
       ++counts.tiles;
       counts.fragments += static_cast<std::uint64_t>(std::popcount(any_covered));

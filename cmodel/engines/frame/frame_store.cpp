@@ -26,14 +26,15 @@ constexpr Rgb unpack(std::uint32_t color) {
 
 void FrameStore::Free::operator()(std::uint32_t* words) const { ::operator delete[](words, kLine); }
 
-FrameStore::FrameStore(const FrameState& frame, const Config& config, Rgb background)
+FrameStore::FrameStore(const FrameState& frame, const Config& config, Rgb background,
+                       std::uint32_t clear)
     : config_(config),
       width_(frame.width),
       height_(frame.height),
       columns_(static_cast<std::uint32_t>((frame.width + config.grid() - 1) >> config.grid_log2)),
       lanes_(static_cast<std::size_t>(config.lanes())),
       tile_words_(2 * lanes_ * static_cast<std::size_t>(config.samples)),
-      far_((std::uint32_t{1} << config.depth_bits) - 1),
+      clear_(clear),
       background_(pack(background)),
       rows_(static_cast<std::size_t>((frame.height + config.grid() - 1) >> config.grid_log2)) {
   live_.resize(columns_ * rows_.size());
@@ -52,7 +53,7 @@ void FrameStore::make_tile(std::uint32_t column, std::uint32_t row) {
   if (!rows_[row]) make_row(row);
   live_[std::size_t{row} * columns_ + column] = 1;
   std::uint32_t* words = rows_[row].get() + column * tile_words_;
-  std::fill_n(words, tile_words_ / 2, far_);
+  std::fill_n(words, tile_words_ / 2, clear_);
   std::fill_n(words + tile_words_ / 2, tile_words_ / 2, background_);
 }
 
@@ -159,7 +160,7 @@ std::uint32_t FrameStore::depth_at(int x, int y, int sample) const {
   const std::uint32_t* tile =
       find_tile(static_cast<std::uint32_t>(x) >> g, static_cast<std::uint32_t>(y) >> g);
   const auto lane = static_cast<std::size_t>((y & last) << g | (x & last));
-  return tile == nullptr ? far_ : tile[static_cast<std::size_t>(sample) * lanes_ + lane];
+  return tile == nullptr ? clear_ : tile[static_cast<std::size_t>(sample) * lanes_ + lane];
 }
 
 Rgb FrameStore::color_at(int x, int y, int sample) const {

@@ -31,7 +31,7 @@ struct StoreRow {
 class FrameStore {
  public:
   // frame and config as Framebuffer.
-  FrameStore(const FrameState& frame, const Config& config, Rgb background);
+  FrameStore(const FrameState& frame, const Config& config, Rgb background, std::uint32_t clear);
 
   void clear();
 
@@ -114,7 +114,7 @@ class FrameStore {
   std::uint32_t columns_;
   std::size_t lanes_;       // of a tile
   std::size_t tile_words_;  // 2 x samples x lanes
-  std::uint32_t far_;
+  std::uint32_t clear_;
   std::uint32_t background_;  // as a stored colour
   std::vector<std::uint8_t> live_;
   std::vector<std::unique_ptr<std::uint32_t[], Free>> rows_;

@@ -29,12 +29,18 @@ FrameConstants frame_constants(const FrameState& frame, const Config& config,
   FrameConstants out;
   out.config = config;
   out.frame = frame;
-  out.depth_function = options.depth_function;
+  out.depth_function = options.depth.function;
+  out.clear = options.depth.cleared(config);
+  HS_CHECK(out.clear <= config.depth_max());
+  if (options.scissor) {
+    HS_CHECK(inside(*options.scissor, frame));
+    out.scissored = true;
+    out.scissor = *options.scissor;
+  }
   out.f = config.position_bits();
   out.gradient_bits = config.gradient_bits;
   out.samples = config.samples;
   out.colors = std::min(config.attributes, 3);
-  out.far = (std::uint32_t{1} << config.depth_bits) - 1;
   return out;
 }
 
@@ -53,7 +59,7 @@ FrameEngine::Work::Work(const FrameState& frame, const Config& config, const Fra
       constants_(frame_constants(frame, config, options)),
       project_(project_constants(frame, config)),
       kernels_(simd::find_isa(simd::frame_kernels(), options.isa)),
-      store_(frame, config, options.background),
+      store_(frame, config, options.background, constants_.clear),
       grid_(frame_grid(store_, options.threads)),
       passed_(static_cast<std::size_t>(options.threads)),
       counts_(passed_.size()),
