@@ -131,6 +131,22 @@ TEST(CapiRanges, FramesOutOfRangeKeepTheOldFrame) {
   refuse([](hs_frame& f) { f.width = -5; }, "-5");
   refuse([](hs_frame& f) { f.cull = 3; }, "cull");
   refuse([](hs_frame& f) { f.depth_function = -1; }, "depth_function");
+  refuse([](hs_frame& f) { f.depth_function = 8; }, "depth_function");
+  refuse([](hs_frame& f) { f.flags = 4; }, "flags");
+  refuse([](hs_frame& f) { f.flags = HS_DEPTH_CLEAR, f.depth_clear = 1u << 24; }, "depth_clear");
+  refuse([](hs_frame& f) { f.flags = HS_SCISSOR; }, "scissor");
+  const auto cut = [&](std::array<std::int32_t, 4> box) {
+    refuse(
+        [&](hs_frame& f) {
+          f.flags = HS_SCISSOR;
+          std::copy(box.begin(), box.end(), f.scissor);
+        },
+        "scissor");
+  };
+  cut({-1, 0, 8, 8});
+  cut({0, 0, 65, 8});
+  cut({60, 60, 4, 5});
+  cut({0, INT32_MAX, 1, INT32_MAX});
   refuse([](hs_frame& f) { f.outputs = 1u << 31; }, "outputs");
   refuse([](hs_frame& f) { f.stall_probability = 1; }, "stall");
   refuse([](hs_frame& f) { f.stall_probability = std::nan(""); }, "stall");

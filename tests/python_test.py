@@ -43,6 +43,20 @@ class Python(unittest.TestCase):
             extra = np.argwhere((hits != 0) & ~strictly)
             self.assertLess(len(extra), 3, "beyond those inside, only centres on an edge")
 
+    def test_depth_is_tested_and_cleared_as_asked(self):
+        model = halfspace.Model("full")
+        for test, drawn in (("less", True), ("greater", False), ("never", False),
+                            ("not_equal", True)):
+            model.begin_frame(16, 16, depth_test=test, depth_clear=(1 << 24) - 1,
+                              scissor=(4, 0, 8, 16))
+            model.push(np.array([[0, 0], [64, 0], [0, 64]]) * 256)
+            self.assertEqual(int((model.color()[:, :, 0] != 0).sum()), 128 if drawn else 0, test)
+            self.assertTrue((model.depth()[:, :4] == (1 << 24) - 1).all())
+        with self.assertRaises(ValueError):
+            model.begin_frame(16, 16, scissor=(9, 0, 8, 16))
+        with self.assertRaises(ValueError):
+            model.begin_frame(16, 16, depth_clear=1 << 24)
+
     def test_tiles_are_the_hits(self):
         for config in ("tiny", "full", "msaa4"):
             model = halfspace.Model(config)

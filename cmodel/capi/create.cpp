@@ -89,7 +89,7 @@ hs_status hs_get_info(const hs_model* model, hs_info* info) {
 hs_status hs_begin_frame(hs_model* model, const hs_frame* frame) {
   return call([&] {
     require_pointer(model, "model");
-    const hs_frame request = read_struct(frame, sizeof(hs_frame), "frame");
+    const hs_frame request = read_struct(frame, offsetof(hs_frame, flags), "frame");
     model->frame = std::make_unique<Frame>(request, model->config);
     return HS_OK;
   });

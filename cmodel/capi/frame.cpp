@@ -19,13 +19,36 @@ FrameState checked(const hs_frame& request, const Config& config) {
   }
   require(request.cull >= HS_CULL_NONE && request.cull <= HS_CULL_FRONT, HS_ERROR_RANGE,
           "cull is not one of HS_CULL_*");
-  require(request.depth_function >= HS_DEPTH_LESS && request.depth_function <= HS_DEPTH_ALWAYS,
+  require(request.depth_function >= HS_DEPTH_LESS && request.depth_function <= HS_DEPTH_NOT_EQUAL,
           HS_ERROR_RANGE, "depth_function is not one of HS_DEPTH_*");
+  require((request.flags & ~std::uint32_t{HS_DEPTH_CLEAR | HS_SCISSOR}) == 0, HS_ERROR_RANGE,
+          "flags has an unknown bit");
   require((request.outputs & ~kAllOutputs) == 0, HS_ERROR_RANGE, "outputs has an unknown bit");
   require(request.reserved == 0, HS_ERROR_ARGUMENT, "frame->reserved is not 0");
   require(request.stall_probability >= 0 && request.stall_probability < 1, HS_ERROR_RANGE,
           "stall_probability is not in 0 <= p < 1");
   return {request.width, request.height, static_cast<Cull>(request.cull)};
+}
+
+DepthState depth_state(const hs_frame& request, const Config& config) {
+  DepthState out(static_cast<DepthFunction>(request.depth_function));
+  if ((request.flags & HS_DEPTH_CLEAR) == 0) return out;
+  if (request.depth_clear > config.depth_max()) {
+    throw Refusal(HS_ERROR_RANGE, "depth_clear = " + std::to_string(request.depth_clear) +
+                                      " is out of range (0.." + std::to_string(config.depth_max()) +
+                                      ")");
+  }
+  out.clear = request.depth_clear;
+  return out;
+}
+
+std::optional<Box> scissor_box(const hs_frame& request) {
+  if ((request.flags & HS_SCISSOR) == 0) return {};
+  const auto& [x, y, width, height] = request.scissor;
+  require(x >= 0 && y >= 0 && width >= 1 && height >= 1 && width <= request.width - x &&
+              height <= request.height - y,
+          HS_ERROR_RANGE, "scissor is not in the frame");
+  return Box{x, y, x + width - 1, y + height - 1};
 }
 
 hs_fragment to_c(const Fragment& fragment) {
@@ -73,13 +96,14 @@ Frame::Frame(const hs_frame& request, const Config& config)
       outputs_(request.outputs == 0 ? std::uint32_t{HS_TILES} : request.outputs),
       engine_(state_, config, Stalls(request.stall_probability, request.stall_seed)),
       geometry_(state_, config) {
+  const DepthState depth = depth_state(request, config);
+  const std::optional<Box> scissor = scissor_box(request);
   if (!keeps(HS_FRAGMENTS | HS_PICTURE)) {
     hits_.emplace(state_.width, state_.height);
     return;
   }
   const auto& b = request.background;
-  rasterizer_ = std::make_unique<Rasterizer>(
-      state_, config, static_cast<DepthFunction>(request.depth_function), Rgb{b[0], b[1], b[2]});
+  rasterizer_ = std::make_unique<Rasterizer>(state_, config, depth, Rgb{b[0], b[1], b[2]}, scissor);
   if (keeps(HS_FRAGMENTS)) {
     rasterizer_->on_fragment(
         [this](const Fragment& fragment) { fragments_.push_back(to_c(fragment)); });

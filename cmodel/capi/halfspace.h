@@ -93,7 +93,19 @@ hs_status hs_get_info(const hs_model* model, hs_info* info);
 /* --- Frames -------------------------------------------------------------------------------- */
 
 enum { HS_CULL_NONE = 0, HS_CULL_BACK = 1, HS_CULL_FRONT = 2 };
-enum { HS_DEPTH_LESS = 0, HS_DEPTH_LESS_EQUAL = 1, HS_DEPTH_ALWAYS = 2 };
+/* A fragment is drawn when its depth is ... the stored one. Nearer is smaller. */
+enum {
+  HS_DEPTH_LESS = 0,
+  HS_DEPTH_LESS_EQUAL = 1,
+  HS_DEPTH_ALWAYS = 2,
+  HS_DEPTH_NEVER = 3,
+  HS_DEPTH_EQUAL = 4,
+  HS_DEPTH_GREATER = 5,
+  HS_DEPTH_GREATER_EQUAL = 6,
+  HS_DEPTH_NOT_EQUAL = 7
+};
+/* Which of the last fields of hs_frame count. */
+enum { HS_DEPTH_CLEAR = 1, HS_SCISSOR = 2 };
 
 /* What a frame keeps for its reader, besides hit counts and statistics. 0 means HS_TILES. */
 enum {
@@ -114,6 +126,10 @@ typedef struct hs_frame {
   uint8_t reserved;         /* 0 */
   double stall_probability; /* 0 <= p < 1: how often the world outside holds the hardware up */
   uint64_t stall_seed;
+  uint32_t flags;       /* HS_DEPTH_CLEAR | HS_SCISSOR */
+  uint32_t depth_clear; /* depth where nothing is drawn, depth_bits; without: 2^depth_bits - 1 */
+  int32_t scissor[4];   /* x, y, width, height, px, in the frame: no fragment outside is drawn;
+                           tiles, hit counts and clocks are those without it */
 } hs_frame;
 
 /* Starts an empty frame at clock 0; what the last one left unpulled is dropped. */
@@ -143,8 +159,9 @@ hs_status hs_push_triangle_px(hs_model* model, const double xy[6], uint32_t tag)
 /* A vertex as the hardware gets it. */
 typedef struct hs_vertex {
   int32_t x, y;       /* 2^-subpixel_bits px */
-  uint32_t depth;     /* below 2^(depth_bits + 6): 0..1 times 2^depth_bits - 1, in units of 1/64 */
-  uint32_t inverse_w; /* 1..2^inverse_w_bits - 1: 1/w, the greatest of the three near the top */
+  uint32_t depth;     /* 0..1 times 2^depth_bits - 1, in units of 1/64: below 2^(depth_bits + 6);
+                         from 27 depth bits on of 2^(depth_bits - 32): 32 bits in all */
+  uint32_t inverse_w; /* 1..2^inverse_w_bits - 1: 1/w of the three, of which only ratios count */
   uint16_t value[8];  /* red, green, blue, ...: 0..255 in units of 1/256 */
 } hs_vertex;
 hs_status hs_push_shaded(hs_model* model, const hs_vertex vertex[3], uint32_t tag);
@@ -241,7 +258,7 @@ hs_status hs_read_triangle_clocks(const hs_model* model, uint64_t first, size_t 
 
 /* Pictures, row by row from the top; size is the array's number of elements and must fit exactly:
  * hits width * height (triangles that cover the pixel, up to 255), depth width * height (of sample
- * 0; 2^depth_bits - 1 where nothing is), color 3 * width * height (red, green, blue). */
+ * 0; what it was cleared to where nothing is), color 3 * width * height (red, green, blue). */
 hs_status hs_read_hits(const hs_model* model, uint8_t* hits, size_t size);
 hs_status hs_read_depth(const hs_model* model, uint32_t* depth, size_t size);
 hs_status hs_read_color(const hs_model* model, uint8_t* color, size_t size);

@@ -2,6 +2,7 @@
 //
 // Triangles in: checked here, so that no stage ever sees one beyond its contract.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "files.hpp"
@@ -60,11 +61,12 @@ ShadedTriangle plain(const std::int32_t* xy, std::uint32_t tag, const Config& co
   return plain(wide, tag, config);
 }
 
-constexpr int kDepthFractionBits = 6;  // of hs_vertex::depth
+// Bits of hs_vertex::depth.
+int depth_bits(const Config& config) { return std::min(config.depth_bits + 6, 32); }
 
 VertexAttributes checked(const hs_vertex& vertex, const Config& config) {
-  const int depth_bits = config.depth_bits + kDepthFractionBits;
-  const std::int64_t depth_max = (std::int64_t{1} << depth_bits) - 1;
+  const int bits = depth_bits(config);
+  const std::int64_t depth_max = (std::int64_t{1} << bits) - 1;
   const std::int64_t w_max = (std::int64_t{1} << config.inverse_w_bits) - 1;
   constexpr int kValueMax = 255 << kAttributeFractionBits;
   if (vertex.depth > depth_max) out_of_range("depth", std::to_string(vertex.depth), 0, depth_max);
@@ -72,7 +74,10 @@ VertexAttributes checked(const hs_vertex& vertex, const Config& config) {
     out_of_range("inverse_w", std::to_string(vertex.inverse_w), 1, w_max);
   }
   VertexAttributes out;
-  out.depth = static_cast<std::int32_t>(vertex.depth << (kPlaneBits - depth_bits));
+  const std::int64_t depth = vertex.depth;
+  out.depth = static_cast<std::int32_t>(
+      bits <= kPlaneBits ? depth << (kPlaneBits - bits)
+                         : (depth + (1 << (bits - kPlaneBits - 1))) >> (bits - kPlaneBits));
   out.inverse_w = vertex.inverse_w;
   for (std::size_t i = 0; i < static_cast<std::size_t>(config.attributes); ++i) {
     if (vertex.value[i] > kValueMax) {
@@ -82,6 +87,14 @@ VertexAttributes checked(const hs_vertex& vertex, const Config& config) {
     out.value[i] = vertex.value[i];
   }
   return out;
+}
+
+// 1/w counts only by its ratios, and planes have a fixed precision: the greatest gets its top bit.
+void normalize_inverse_w(ShadedTriangle& triangle, const Config& config) {
+  std::uint32_t any = 0;
+  for (const VertexAttributes& vertex : triangle.attributes) any |= vertex.inverse_w;
+  const int up = std::countl_zero(any) - (32 - config.inverse_w_bits);
+  for (VertexAttributes& vertex : triangle.attributes) vertex.inverse_w <<= up;
 }
 
 // Counts and draws, and forgets what it drew.
@@ -169,6 +182,7 @@ hs_status hs_push_shaded(hs_model* model, const hs_vertex vertex[3], uint32_t ta
     for (std::size_t i = 0; i < 3; ++i) {
       triangle.attributes[i] = checked(vertex[i], model->config);
     }
+    normalize_inverse_w(triangle, model->config);
     draw_one(frame, triangle);
     return HS_OK;
   });

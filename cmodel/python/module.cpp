@@ -5,9 +5,11 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -100,17 +102,29 @@ class Model {
 
   void begin_frame(std::int32_t width, std::int32_t height, const std::string& cull,
                    const std::string& depth_test, bool tiles, bool picture, double stall,
-                   std::uint64_t seed, std::array<std::uint8_t, 3> background) {
+                   std::uint64_t seed, std::array<std::uint8_t, 3> background,
+                   std::optional<std::uint32_t> depth_clear,
+                   std::optional<std::array<std::int32_t, 4>> scissor) {
     hs_frame frame{};
     frame.struct_size = sizeof frame;
     frame.width = width;
     frame.height = height;
     frame.cull = choice("cull", cull, {"none", "back", "front"});
-    frame.depth_function = choice("depth_test", depth_test, {"less", "less_equal", "always"});
+    frame.depth_function = choice("depth_test", depth_test,
+                                  {"less", "less_equal", "always", "never", "equal", "greater",
+                                   "greater_equal", "not_equal"});
     frame.outputs = HS_COUNTS | HS_CLOCKS | (tiles ? HS_TILES : 0u) | (picture ? HS_PICTURE : 0u);
     frame.stall_probability = stall;
     frame.stall_seed = seed;
     std::memcpy(frame.background, background.data(), 3);
+    if (depth_clear) {
+      frame.flags |= HS_DEPTH_CLEAR;
+      frame.depth_clear = *depth_clear;
+    }
+    if (scissor) {
+      frame.flags |= HS_SCISSOR;
+      std::copy(scissor->begin(), scissor->end(), frame.scissor);
+    }
     check(hs_begin_frame(model_.get(), &frame));
     frame_ = frame;
   }
@@ -247,6 +261,7 @@ PYBIND11_MODULE(halfspace, module) {
       .def("begin_frame", &Model::begin_frame, "width"_a, "height"_a, py::kw_only(),
            "cull"_a = "none", "depth_test"_a = "less", "tiles"_a = true, "picture"_a = true,
            "stall"_a = 0.0, "seed"_a = 0, "background"_a = std::array<std::uint8_t, 3>{},
+           "depth_clear"_a = py::none(), "scissor"_a = py::none(),
            "Start an empty frame at clock 0. tiles, picture: what to keep for reading.")
       .def("push", &Model::push, "triangles"_a, "tag"_a = 0,
            "Draw triangles, shape (N, 3, 2): integers in subpixels, real numbers in pixels.")
