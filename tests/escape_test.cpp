@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/error.hpp"
 #include "io/tcov.hpp"
 #include "splitmix.hpp"
 
@@ -18,6 +19,25 @@ TEST(Escape, ShellWordIsOneWord) {
   EXPECT_EQ(quoted("a b$c"), "'a b$c'");
   EXPECT_EQ(quoted("it's"), "'it'\\''s'");
   EXPECT_EQ(quoted(""), "''");
+}
+
+TEST(Escape, WhatIsShownHasNoControlBytes) {
+  EXPECT_EQ(printable("plain, \xc3\xa4 and \xe2\x82\xac, \xf0\x9f\x90\xb0"),
+            "plain, \xc3\xa4 and \xe2\x82\xac, \xf0\x9f\x90\xb0");
+  EXPECT_EQ(printable("a\x1b[31m\n\t\x7f\x07"), "a\\x1B[31m\\x0A\\x09\\x7F\\x07");
+  EXPECT_EQ(printable("\xc2\x9b"
+                      "31m \xff \xc3 \xe2\x82"),
+            "\\xC2\\x9B"
+            "31m \\xFF \\xC3 \\xE2\\x82");
+  EXPECT_EQ(printable(std::string(50, 'x'), 10), std::string(10, 'x') + "...");
+  EXPECT_EQ(printable(std::string("a\0b", 3)), "a\\x00b");
+}
+
+TEST(Escape, ErrorsAreOneShortLine) {
+  const Error error(ErrorCode::kMeshBroken, "a\x1b.obj", "bad\n" + std::string(5000, 'y'));
+  const std::string what = error.what();
+  EXPECT_EQ(what.rfind("a\\x1B.obj: bad\\x0Ayyy", 0), 0U);
+  EXPECT_LT(what.size(), 700U);
 }
 
 TEST(Crc32, IsTheStandardsCheckValueForBytesAndText) {

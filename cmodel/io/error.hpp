@@ -56,9 +56,9 @@ enum class ErrorCode : int {
 
 class Error : public std::runtime_error {
  public:
-  // place: "FILE", "FILE:LINE", an option, or empty. text: what and why, one line.
-  Error(ErrorCode code, const std::string& place, const std::string& text)
-      : std::runtime_error(place.empty() ? text : place + ": " + text), code_(code) {}
+  // place: "FILE", "FILE:LINE", an option, or empty. text: what and why. Both become one line that
+  // can be shown: see printable().
+  Error(ErrorCode code, const std::string& place, const std::string& text);
   ErrorCode code() const { return code_; }
 
  private:
