@@ -167,6 +167,18 @@ glm::dvec3 turned(const glm::dvec3& from, const glm::dvec3& axis, double turn) {
                     glm::dvec4(from, 0.0));
 }
 
+// The direction from which a view is by itself: the front, right and above, as `up` has it. Where
+// that is not y, all is turned the shortest way.
+glm::dvec3 from_of(const glm::dvec3& up) {
+  const glm::dvec3 from{0.5, 0.45, 0.9};
+  const glm::dvec3 y{0.0, 1.0, 0.0};
+  const glm::dvec3 to = glm::normalize(up);
+  const glm::dvec3 axis = glm::cross(y, to);
+  if (glm::length(axis) < 1e-9) return to.y > 0.0 ? from : glm::dvec3{-from.x, -from.y, from.z};
+  const double angle = std::atan2(glm::length(axis), glm::dot(y, to));
+  return turned(from, axis, angle / glm::radians(360.0));
+}
+
 }  // namespace
 
 glm::dmat4 look_at(const Camera& camera) {
@@ -199,7 +211,7 @@ std::vector<Camera> orbit_cameras(std::span<const glm::vec3> points, double aspe
   if (points.empty()) points = {&lone, 1};
   const Box box = box_of(points);
   Camera camera = as_fixed(options, box);
-  const glm::dvec3 from = options.eye ? camera.eye - camera.target : glm::dvec3{0.5, 0.45, 0.9};
+  const glm::dvec3 from = options.eye ? camera.eye - camera.target : from_of(camera.up);
   const double tangent = std::tan(glm::radians(camera.fov_y_degrees) / 2.0);
   const glm::dvec2 shape{kFill * aspect, kFill};
   const glm::dvec2 slope = (camera.orthographic ? 0.0 : tangent) * shape;

@@ -51,7 +51,8 @@ glm::dmat4 world_to_clip(const Camera& camera, double aspect);
 // Cameras that show all of `points`, a mesh's vertices (finite; none count as one at the origin),
 // as large as the frame allows: at the tighter pair of opposite sides they leave 2.5 % of the frame
 // on either side. What `options` fix is left alone; of the rest
-// - the first view is from the front, right and above, and the others (`views` >= 1 in all) are
+// - the first view is from the front, right and above, turned with `up`, and the others (`views` >=
+// 1 in all) are
 //   turned around the target, about `up`, counter-clockwise as seen from above, in equal steps;
 // - with one view and no target, eye and target move across the view until `points` are as far from
 //   the left as from the right side of the view volume, from the bottom as from the top;

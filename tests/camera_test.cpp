@@ -196,7 +196,9 @@ TEST(FrameCamera, ObeysWhatIsGiven) {
     EXPECT_EQ(camera.fov_y_degrees, options.fov_y_degrees.value_or(40.0));
     expect_in_frame(points, camera, 1.5);
     const glm::dvec3 direction = glm::normalize(camera.eye - camera.target);
-    EXPECT_LT(glm::length(direction - glm::normalize(glm::dvec3{0.5, 0.45, 0.9})), 1e-9);
+    // As far above the middle as by itself, whichever way up is.
+    EXPECT_NEAR(glm::dot(direction, glm::normalize(camera.up)),
+                0.45 / glm::length(glm::dvec3{0.5, 0.45, 0.9}), 1e-9);
     options.eye = glm::dvec3{-7.0, 60.0, 5.0};
     camera = orbit_cameras(points, 1.5, options, 3).front();
     EXPECT_EQ(camera.eye, *options.eye);
@@ -209,6 +211,21 @@ TEST(FrameCamera, ObeysWhatIsGiven) {
     options.ortho_height = 3.5;
     EXPECT_EQ(frame_camera(points, 1.5, options).ortho_height, 3.5);
   }
+}
+
+// The view of a mesh whose up is not y is that of one turned to y.
+TEST(FrameCamera, TheDefaultEyeTurnsWithUp) {
+  const auto direction = [](const glm::dvec3& up) {
+    CameraOptions options;
+    options.up = up;
+    const Camera camera = frame_camera(Points{{-1, -1, -1}, {1, 1, 1}}, 1.0, options);
+    return glm::normalize(camera.eye - camera.target) * glm::length(glm::dvec3{0.5, 0.45, 0.9});
+  };
+  EXPECT_LT(glm::length(direction({0, 2, 0}) - glm::dvec3(0.5, 0.45, 0.9)), 1e-9);
+  EXPECT_LT(glm::length(direction({0, 0, 1}) - glm::dvec3(0.5, -0.9, 0.45)), 1e-9);
+  EXPECT_LT(glm::length(direction({0, 0, -1}) - glm::dvec3(0.5, 0.9, -0.45)), 1e-9);
+  EXPECT_LT(glm::length(direction({3, 0, 0}) - glm::dvec3(0.45, -0.5, 0.9)), 1e-9);
+  EXPECT_LT(glm::length(direction({0, -1, 0}) - glm::dvec3(-0.5, -0.45, 0.9)), 1e-9);
 }
 
 TEST(FrameCamera, EyeInsideTheSceneKeepsAPositiveNear) {
@@ -236,6 +253,8 @@ TEST(FrameCamera, DegenerateRequestsGiveAFiniteMatrix) {
   beside.target = glm::dvec3{5e5, 5e5, 9e5};
   CameraOptions along;
   along.up = glm::dvec3{-0.5, -0.45, -0.9};
+  along.target = glm::dvec3{0.0, 0.0, 0.0};
+  along.eye = glm::dvec3{5.0, 4.5, 9.0};
   CameraOptions away;
   away.target = glm::dvec3{1e90, -1e90, 3.0};
   const Points flat{{1e3F, 2, 3}, {1e3F, 2, 4}, {1e3F, 3, 4}};
