@@ -12,14 +12,11 @@ namespace halfspace {
 
 struct GlbParts {
   std::string_view json;
-  std::string_view others;        // every chunk after the first, with headers
-  std::uint64_t binary_size = 0;  // bytes of data in the second chunk
+  std::string_view binary;  // the data of the chunk BIN; empty when there is none
+  std::uint64_t after = 0;  // bytes after those that the header counts
 };
 
 // Throws Error(kMeshBroken) when the sizes in `bytes`, the contents of `path`, do not add up.
 GlbParts open_glb(const std::string& path, std::string_view bytes);
-
-// The container of `json` and the chunks `others`.
-std::string close_glb(std::string json, std::string_view others);
 
 }  // namespace halfspace

@@ -88,6 +88,9 @@ nlohmann::ordered_json stats_json(const RunStats& stats, const Config& config) {
   if (stats.predicted) json["cycles_predicted"] = prediction_json(*stats.predicted);
   json["savings"] = savings_json(stats);
   json["coordinates_resnapped"] = stats.resnapped;
+  nlohmann::ordered_json left_out = nlohmann::ordered_json::object();
+  for (const LeftOut::Kind& kind : stats.left_out.kinds()) left_out[kind.key] = kind.count;
+  json["left_out"] = left_out;
   json["coverage_crc32"] = stats.crc;
   json["wall_seconds"] = stats.wall_seconds;
   json["simulate_seconds"] = stats.simulate_seconds;

@@ -9,6 +9,7 @@
 #include "../config.hpp"
 #include "../geometry.hpp"
 #include "../rasterizer.hpp"
+#include "left_out.hpp"
 #include "output_file.hpp"
 
 namespace halfspace {
@@ -39,6 +40,7 @@ struct RunStats {
     Rtl rtl;
   };
   std::optional<Prediction> predicted;
+  LeftOut left_out;             // of the file, not drawn
   std::uint32_t crc = 0;        // CRC-32 of the hit counts of all frames, in order
   double simulate_seconds = 0;  // without loading and writing files
   double wall_seconds = 0;

@@ -43,7 +43,7 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
 set(CPACK_COMPONENT_DEVELOPMENT_DEPENDS library)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libglm-dev, libhwy-dev")
-set(io libassimp-dev libfmt-dev libpng-dev libtbb-dev nlohmann-json3-dev zlib1g-dev)
+set(io libfmt-dev libpng-dev libtbb-dev nlohmann-json3-dev zlib1g-dev)
 if(HALFSPACE_HAS_MESHOPTIMIZER)
   list(APPEND io libmeshoptimizer-dev)
 endif()

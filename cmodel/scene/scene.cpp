@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <utility>
 
 #include "../io/error.hpp"
+#include "../io/escape.hpp"
 #include "../io/fit_range.hpp"
 #include "../io/mesh.hpp"
 #include "../io/simplify.hpp"
@@ -28,16 +28,44 @@ double seconds_since(WallClock::time_point start) {
   return std::chrono::duration<double>(WallClock::now() - start).count();
 }
 
+// Progress bars, one after the other, of what a mesh's reader does.
+MeshProgress loading_progress() {
+  struct Bar {
+    std::string what;
+    std::unique_ptr<Progress> progress;
+    std::uint64_t done = 0;
+  };
+  return
+      [bar = std::make_shared<Bar>()](const char* what, std::uint64_t done, std::uint64_t total) {
+        if (!bar->progress || bar->what != what || done < bar->done) {
+          bar->progress = nullptr;  // erased before the next is drawn
+          bar->progress = std::make_unique<Progress>(what, total);
+          bar->what = what;
+          bar->done = 0;
+        }
+        bar->progress->advance(done - bar->done);
+        bar->done = done;
+      };
+}
+
+// As the mesh's origin has it.
+CameraOptions moved(CameraOptions camera, const glm::dvec3& origin) {
+  if (camera.eye) *camera.eye -= origin;
+  if (camera.target) *camera.target -= origin;
+  return camera;
+}
+
 class MeshScene : public Scene {
  public:
   MeshScene(const std::string& path, int width, int height, const CameraOptions& camera,
             Lighting lighting, int views, double simplify_px)
       : path_(path),
-        mesh_(load_mesh(path)),
+        mesh_(load_mesh(path, loading_progress())),
         frame_{width, height, Cull::kNone},
         lighting_(lighting) {
     const double aspect = static_cast<double>(width) / static_cast<double>(height);
-    const std::vector<Camera> cameras = orbit_cameras(mesh_.positions, aspect, camera, views);
+    const std::vector<Camera> cameras =
+        orbit_cameras(mesh_.positions, aspect, moved(camera, mesh_.origin), views);
     for (const Camera& view : cameras) shader_.emplace_back(mesh_, view, aspect);
     if (simplify_px > 0) simplify(mesh_, simplify_px * pixel_size(cameras.front(), height));
   }
@@ -106,6 +134,7 @@ class MeshScene : public Scene {
     stats.simulate_seconds += seconds_since(start);
   }
 
+  LeftOut left_out() const override { return mesh_.left_out; }
   const Camera* camera(std::size_t index) const override { return &shader_[index].camera(); }
 
   void faces(std::size_t index, const FaceSink& sink) const override {
@@ -239,31 +268,6 @@ std::unique_ptr<Scene> make_tcov_scene(const std::string& path, int case_id) {
   return std::make_unique<TcovScene>(path, case_id);
 }
 
-FrameSize parse_size(const std::string& text) {
-  FrameSize size;
-  const char* end = text.data() + text.size();
-  const auto width = std::from_chars(text.data(), end, size.width);
-  const bool separated = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
-  const auto height = separated ? std::from_chars(width.ptr + 1, end, size.height) : width;
-  if (!separated || height.ec != std::errc() || height.ptr != end) {
-    throw Error(ErrorCode::kSize, "--size",
-                fmt::format("'{:.40}' is not WIDTHxHEIGHT in pixels, such as 640x480", text));
-  }
-  if (size.width < 1 || size.height < 1 || size.width > kTcovMaxSize ||
-      size.height > kTcovMaxSize) {
-    throw Error(ErrorCode::kSize, "--size",
-                fmt::format("{} is out of range (1x1..{}x{})", text, kTcovMaxSize, kTcovMaxSize));
-  }
-  return size;
-}
-
-FrameSize frame_size(const std::string& text, const Config& config) {
-  if (text.empty()) return {std::min(640, config.max_size()), std::min(480, config.max_size())};
-  const FrameSize size = parse_size(text);
-  require_size(size.width, size.height, config, "--size");
-  return size;
-}
-
 bool is_tcov(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -277,15 +281,13 @@ std::unique_ptr<Scene> open_scene(const std::string& path, int case_id, const Fr
   if (case_id >= 0) {
     throw Error(ErrorCode::kUsage, "--case", fmt::format("{} is no TCOV file: no cases", path));
   }
-  return make_mesh_scene(path, size.width, size.height, camera, lighting, views, simplify_px);
-}
-
-void require_size(int width, int height, const Config& config, const std::string& place) {
-  if (width <= config.max_size() && height <= config.max_size()) return;
-  throw Error(
-      ErrorCode::kSize, place,
-      fmt::format("{}x{} is larger than the configuration's {}x{} (viewport_bits = {})", width,
-                  height, config.max_size(), config.max_size(), config.viewport_bits));
+  std::unique_ptr<Scene> scene =
+      make_mesh_scene(path, size.width, size.height, camera, lighting, views, simplify_px);
+  const LeftOut left_out = scene->left_out();
+  if (!left_out.empty()) {
+    fmt::print(stderr, "halfspace: note: {}: {}\n", printable(path), left_out.note());
+  }
+  return scene;
 }
 
 }  // namespace halfspace

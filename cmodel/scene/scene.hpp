@@ -12,13 +12,14 @@
 #include "../camera.hpp"
 #include "../engines/frame/frame_engine.hpp"
 #include "../geometry.hpp"
+#include "../io/left_out.hpp"
 #include "../io/stats_json.hpp"
 #include "real_triangles.hpp"
 #include "vertex_shader.hpp"
 
 namespace halfspace {
 
-// A triangle of a mesh, in clip space and where it stands in the world.
+// A triangle of a mesh, in clip space and where it stands in the world, from the mesh's origin.
 struct MeshFace {
   std::array<ClipVertex, 3> clip;
   std::array<glm::dvec3, 3> world;
@@ -51,9 +52,12 @@ class Scene {
   // case's are as in the file.
   virtual void real(std::size_t index, int guard_bits, const RealSink& sink) const = 0;
   void real(std::size_t index, const RealSink& sink) const { real(index, 0, sink); }
-  // A mesh's camera, and its triangles before clipping, in order; null and none for a TCOV case.
+  // A mesh's camera, from the mesh's origin, and its triangles before clipping, in order; null and
+  // none for a TCOV case.
   virtual const Camera* camera(std::size_t) const { return nullptr; }
   virtual void faces(std::size_t, const FaceSink&) const {}
+  // What of the file is not drawn.
+  virtual LeftOut left_out() const { return {}; }
 };
 
 // A mesh file (OBJ, glTF, GLB, PLY, STL). width x height in pixels. One frame for each of `views`
@@ -87,7 +91,8 @@ void require_size(int width, int height, const Config& config, const std::string
 // Does the name end in .tcov, in capitals or not?
 bool is_tcov(const std::string& path);
 
-// A TCOV file's cases when the name ends in .tcov (size and camera are not used), else a mesh.
+// A TCOV file's cases when the name ends in .tcov (size and camera are not used), else a mesh. Says
+// on stderr what of it is left out.
 // Throws Error(kUsage) for a case of a mesh.
 std::unique_ptr<Scene> open_scene(const std::string& path, int case_id, const FrameSize& size,
                                   const CameraOptions& camera, Lighting lighting, int views = 1,

@@ -197,6 +197,7 @@ int run_render(const RenderOptions& options, const MethodDrawing* gallery) {
   RunStats stats;
   stats.command = "render";
   stats.level = by_method ? options.method : options.level;
+  stats.left_out = scene->left_out();
   std::vector<Image> images;
   for (std::size_t i = 0; i < scene->frames(); ++i) {
     FrameState frame = scene->frame(i, config);
