@@ -19,6 +19,7 @@
 #include "io/tcov.hpp"
 #include "io/trace_formats.hpp"
 #include "level_run.hpp"
+#include "nothing_drawn.hpp"
 #include "number_checks.hpp"
 #include "pictures.hpp"
 #include "rtl_link.hpp"
@@ -217,6 +218,9 @@ int run_render(const RenderOptions& options, const MethodDrawing* gallery) {
         break;
     }
   }
+  const std::string why =
+      by_method || images.size() != 1 ? "" : why_nothing_is_drawn(*scene, 0, stats);
+  if (!why.empty()) fmt::print(stderr, "halfspace: note: nothing is drawn: {}\n", why);
   if (images.empty()) throw Error(ErrorCode::kScene, options.scene.path, "has no cases");
   OutputGroup outputs;
   write_png(outputs.open(options.out), contact_sheet(images));
