@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "../io/error.hpp"
-#include "../io/escape.hpp"
 #include "../io/fit_range.hpp"
 #include "../io/mesh.hpp"
 #include "../io/simplify.hpp"
@@ -281,13 +280,7 @@ std::unique_ptr<Scene> open_scene(const std::string& path, int case_id, const Fr
   if (case_id >= 0) {
     throw Error(ErrorCode::kUsage, "--case", fmt::format("{} is no TCOV file: no cases", path));
   }
-  std::unique_ptr<Scene> scene =
-      make_mesh_scene(path, size.width, size.height, camera, lighting, views, simplify_px);
-  const LeftOut left_out = scene->left_out();
-  if (!left_out.empty()) {
-    fmt::print(stderr, "halfspace: note: {}: {}\n", printable(path), left_out.note());
-  }
-  return scene;
+  return make_mesh_scene(path, size.width, size.height, camera, lighting, views, simplify_px);
 }
 
 }  // namespace halfspace

@@ -91,8 +91,7 @@ void require_size(int width, int height, const Config& config, const std::string
 // Does the name end in .tcov, in capitals or not?
 bool is_tcov(const std::string& path);
 
-// A TCOV file's cases when the name ends in .tcov (size and camera are not used), else a mesh. Says
-// on stderr what of it is left out.
+// A TCOV file's cases when the name ends in .tcov (size and camera are not used), else a mesh.
 // Throws Error(kUsage) for a case of a mesh.
 std::unique_ptr<Scene> open_scene(const std::string& path, int case_id, const FrameSize& size,
                                   const CameraOptions& camera, Lighting lighting, int views = 1,

@@ -18,6 +18,7 @@
 #include "rtl_link.hpp"
 #include "scene/progress.hpp"
 #include "scene/scene.hpp"
+#include "scene_options.hpp"
 #include "wave_file.hpp"
 
 namespace halfspace {
@@ -202,8 +203,9 @@ std::unique_ptr<Scene> open_checked(const CosimRequest& request, const Config& c
   check_distinct(outputs);
   if (!request.stats.empty()) check_writable(request.stats);
   std::unique_ptr<Scene> scene =
-      open_scene(request.in, request.case_id, frame_size(request.size, config),
-                 request.camera.options(), Lighting::kGouraud, request.views);
+      noted(open_scene(request.in, request.case_id, frame_size(request.size, config),
+                       request.camera.options(), Lighting::kGouraud, request.views),
+            request.in);
   check_trace(request.trace, scene->frames());
   return scene;
 }

@@ -19,6 +19,7 @@
 #include "io/output_file.hpp"
 #include "io/source_tree.hpp"
 #include "number_checks.hpp"
+#include "scene_options.hpp"
 
 namespace halfspace {
 namespace {
@@ -47,8 +48,9 @@ std::vector<FitView> open_views(const FitArguments& a, double simplify_px) {
   const FrameSize size = a.size.empty() ? FrameSize{640, 480} : parse_size(a.size);
   std::vector<FitView> views;
   for (const std::string& path : a.scenes) {
-    std::shared_ptr<const Scene> scene = open_scene(path, a.case_id, size, a.camera.options(),
-                                                    Lighting::kGouraud, a.views, simplify_px);
+    std::shared_ptr<const Scene> scene = noted(open_scene(path, a.case_id, size, a.camera.options(),
+                                                          Lighting::kGouraud, a.views, simplify_px),
+                                               path);
     const std::vector<FitView> more = fit_views(scene, path, parse_cull(a.cull));
     views.insert(views.end(), more.begin(), more.end());
   }

@@ -6,10 +6,13 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
+#include <span>
 #include <string_view>
-#include <utility>
 
+#include "choice.hpp"
 #include "io/error.hpp"
+#include "io/escape.hpp"
 #include "number_checks.hpp"
 
 namespace halfspace {
@@ -26,8 +29,9 @@ void SceneOptions::add_to(Command& command, const std::string& name) {
 
 std::unique_ptr<Scene> SceneOptions::open(const Config& config, Lighting lighting,
                                           double simplify_px) const {
-  return open_scene(path, case_id, frame_size(size, config), camera.options(), lighting, 1,
-                    simplify_px);
+  return noted(open_scene(path, case_id, frame_size(size, config), camera.options(), lighting, 1,
+                          simplify_px),
+               path);
 }
 
 std::unique_ptr<Scene> SceneOptions::open_one(const Config& config, Lighting lighting) const {
@@ -38,24 +42,31 @@ std::unique_ptr<Scene> SceneOptions::open_one(const Config& config, Lighting lig
               fmt::format("the file has {} cases: choose one with --case", scene->frames()));
 }
 
+std::unique_ptr<Scene> noted(std::unique_ptr<Scene> scene, const std::string& path) {
+  const LeftOut left_out = scene->left_out();
+  if (!left_out.empty()) {
+    fmt::print(stderr, "halfspace: note: {}: {}\n", printable(path), left_out.note());
+  }
+  return scene;
+}
+
 namespace {
 
-constexpr std::array<std::pair<std::string_view, DepthFunction>, kDepthFunctions> kDepthTests{
-    {{"never", DepthFunction::kNever},
-     {"less", DepthFunction::kLess},
-     {"equal", DepthFunction::kEqual},
-     {"less_equal", DepthFunction::kLessEqual},
-     {"greater", DepthFunction::kGreater},
-     {"not_equal", DepthFunction::kNotEqual},
-     {"greater_equal", DepthFunction::kGreaterEqual},
-     {"always", DepthFunction::kAlways}}};
+constexpr Choice<DepthFunction> kDepthTests[] = {{"never", DepthFunction::kNever},
+                                                 {"less", DepthFunction::kLess},
+                                                 {"equal", DepthFunction::kEqual},
+                                                 {"less_equal", DepthFunction::kLessEqual},
+                                                 {"greater", DepthFunction::kGreater},
+                                                 {"not_equal", DepthFunction::kNotEqual},
+                                                 {"greater_equal", DepthFunction::kGreaterEqual},
+                                                 {"always", DepthFunction::kAlways}};
+static_assert(std::size(kDepthTests) == kDepthFunctions);
 
 }  // namespace
 
 void DepthOptions::add_to(Command& command) {
-  command
-      .add_option("--depth-test", test,
-                  "never, less, equal, less_equal, greater, not_equal, greater_equal or always")
+  command.add_option("--depth-test", test, "Which fragments pass, against the stored depth")
+      ->type_name(type_name_of(std::span(kDepthTests)))
       ->capture_default_str();
   command.add_option("--depth-clear", clear, "Depth where nothing is drawn, 0 (near) to 1 (far)")
       ->check(not_negative())
@@ -67,13 +78,7 @@ DepthState DepthOptions::load(const Config& config) const {
     throw Error(ErrorCode::kUsage, "--depth-clear", fmt::format("{} is not 0..1", clear));
   }
   const auto cleared = static_cast<std::uint32_t>(std::llround(clear * config.depth_max()));
-  for (const auto& [name, function] : kDepthTests) {
-    if (name == test) return {function, cleared};
-  }
-  throw Error(ErrorCode::kUsage, "--depth-test",
-              fmt::format("'{:.40}' is not never, less, equal, less_equal, greater, not_equal, "
-                          "greater_equal or always",
-                          test));
+  return {chosen(std::span(kDepthTests), test, "--depth-test"), cleared};
 }
 
 Box parse_scissor(const std::string& text, const FrameState& frame) {

@@ -33,6 +33,9 @@ struct SceneOptions {
   std::unique_ptr<Scene> open_one(const Config& config, Lighting lighting) const;
 };
 
+// A scene that was opened, after a note on stderr of what the file has that is not drawn.
+std::unique_ptr<Scene> noted(std::unique_ptr<Scene> scene, const std::string& path);
+
 // How fragments are tested, as render has the options.
 struct DepthOptions {
   std::string test = "less";

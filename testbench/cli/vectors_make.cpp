@@ -10,6 +10,7 @@
 #include "io/tcov.hpp"
 #include "scene/progress.hpp"
 #include "scene/scene.hpp"
+#include "scene_options.hpp"
 #include "vectors/stimulus.hpp"
 #include "vectors/vector_builder.hpp"
 #include "vectors_command.hpp"
@@ -111,8 +112,9 @@ VectorSet from_generator(const VectorsRequest& request, VectorMeta meta, const F
 
 VectorSet from_scene(const VectorsRequest& request, VectorMeta meta, const FrameSize& size) {
   const Config& config = meta.config;
-  const std::unique_ptr<Scene> scene =
-      open_scene(request.in, request.case_id, size, request.camera.options(), Lighting::kGouraud);
+  const std::unique_ptr<Scene> scene = noted(
+      open_scene(request.in, request.case_id, size, request.camera.options(), Lighting::kGouraud),
+      request.in);
   const std::string bytes = read_file(request.in);
   meta.source = scene->frames() > 0 && scene->case_id(0) >= 0 ? "tcov" : "mesh";
   meta.source_name = std::filesystem::path(request.in).filename().string();

@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 
 // Elements that an accessor without data may have: they take memory, but no file.
-constexpr std::uint64_t kMostZeros = 1U << 24;
+constexpr std::uint64_t kMostZeros = 1U << 22;
 
 enum ComponentType : std::uint64_t {
   kInt8 = 5120,

@@ -14,6 +14,9 @@
 namespace halfspace {
 namespace {
 
+// Names of libraries: each that is not there costs a look through the folder.
+constexpr std::size_t kMostLibraries = 256;
+
 // One, two or three numbers: a colour, or a grey for one.
 std::optional<glm::vec3> color_of(std::string_view text) {
   glm::vec3 color(0.0F);
@@ -57,6 +60,7 @@ void MtlColors::add_libraries(std::string_view names, std::size_t line) {
 }
 
 bool MtlColors::add_library(std::string_view name) {
+  if (known_.size() > kMostLibraries) return false;
   const auto [known, is_new] = known_.try_emplace(std::string(name), false);
   if (!is_new) return known->second;
   const std::optional<std::string> path = find_side_file(mesh_, name);

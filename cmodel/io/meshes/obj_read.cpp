@@ -91,15 +91,17 @@ class ObjReader {
     }
   }
 
-  // x y z, then nothing, a weight, two of anything, or a colour with or without its alpha.
+  // x y z, then a colour or whatever else.
   void read_vertex(std::string_view text) {
-    std::array<double, 8> value{};
+    std::array<double, 6> value{};
     std::size_t count = 0;
-    for (std::string_view token = next_token(text); !token.empty(); token = next_token(text)) {
-      if (count == value.size()) broken("a vertex has at most 8 numbers");
+    for (; count < value.size(); ++count) {
+      const std::string_view token = next_token(text);
+      if (token.empty()) break;
       const std::optional<double> number = parse_coordinate(token);
+      if (!number && count >= 3) break;
       if (!number) broken(shown(token) + " is not a number");
-      value[count++] = *number;
+      value[count] = *number;
     }
     if (count < 3) broken("a vertex needs 3 numbers, here are " + std::to_string(count));
     const bool finite = std::all_of(value.begin(), value.begin() + 3, is_finite_float);

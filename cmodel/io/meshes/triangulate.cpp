@@ -83,13 +83,16 @@ bool Triangulator::is_ear(std::uint32_t corner, bool convex_only) const {
   const double size = area(a, b, c);
   if (convex_only ? !(size > 0.0) : size < 0.0) return false;
   const glm::dvec2 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
-  return std::none_of(reflex_.begin(), reflex_.end(), [&](std::uint32_t other) {
-    if (gone_[other]) return false;
-    const glm::dvec2& p = flat_[other];
-    if (p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y) return false;
-    if (p == a || p == b || p == c) return false;  // where the outline touches itself
-    return area(a, b, p) >= 0.0 && area(b, c, p) >= 0.0 && area(c, a, p) >= 0.0;
-  });
+  const auto first =
+      std::lower_bound(reflex_.begin(), reflex_.end(), low.x,
+                       [this](std::uint32_t other, double x) { return flat_[other].x < x; });
+  for (auto other = first; other != reflex_.end() && flat_[*other].x <= high.x; ++other) {
+    const glm::dvec2& p = flat_[*other];
+    if (gone_[*other] || p.y < low.y || p.y > high.y) continue;
+    if (p == a || p == b || p == c) continue;  // where the outline touches itself
+    if (area(a, b, p) >= 0.0 && area(b, c, p) >= 0.0 && area(c, a, p) >= 0.0) return false;
+  }
+  return true;
 }
 
 void Triangulator::unlink(std::uint32_t corner) {
@@ -111,6 +114,8 @@ void Triangulator::cut_ears() {
     // A convex corner stays one while ears are cut, and in an ear there is always a reflex one.
     if (!(area(flat_[previous_[i]], flat_[i], flat_[next_[i]]) > 0.0)) reflex_.push_back(i);
   }
+  std::sort(reflex_.begin(), reflex_.end(),
+            [this](std::uint32_t a, std::uint32_t b) { return flat_[a].x < flat_[b].x; });
   std::uint32_t corner = 0, left = count, failed = 0;
   bool convex_only = true;
   while (left > 3) {

@@ -33,7 +33,7 @@ class Triangulator {
 
   std::vector<glm::dvec2> flat_;  // the corners in the polygon's plane, counter-clockwise
   std::vector<std::uint32_t> next_, previous_;
-  std::vector<std::uint32_t> reflex_;  // corners that may lie in an ear
+  std::vector<std::uint32_t> reflex_;  // corners that may lie in an ear, by x
   std::vector<bool> gone_;
   std::vector<Cut> cuts_;
 };
