@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <string>
+#include <string_view>
+
+#include "../io/printable.hpp"
 
 namespace halfspace::capi {
 namespace {
@@ -33,17 +37,27 @@ hs_status status_of(ErrorCode code) {
 
 hs_status failed(hs_status status, const char* text) noexcept {
   Message& message = last_message();
-  const std::size_t size = std::min(std::strcspn(text, "\r\n"), message.size() - 1);
-  std::memmove(message.data(), text, size);
+  std::size_t size = 0;
+  try {
+    const std::string line = printable(first_line(text));
+    size = std::min(line.size(), message.size() - 1);
+    std::memcpy(message.data(), line.data(), size);
+  } catch (...) {  // no memory for a line: the constant text of a status is short
+    const std::string_view known = hs_status_text(status);
+    size = known.copy(message.data(), message.size() - 1);
+  }
   message[size] = '\0';
   return status;
 }
 
 hs_status failed(const Error& error) noexcept {
   Message text{};
-  std::snprintf(text.data(), text.size(), "HS%03d: %s", static_cast<int>(error.code()),
-                error.what());
-  return failed(status_of(error.code()), text.data());
+  std::snprintf(text.data(), text.size(), "HS%03d: ", static_cast<int>(error.code()));
+  try {
+    return failed(status_of(error.code()), (text.data() + std::string(error.what())).c_str());
+  } catch (...) {
+    return failed(status_of(error.code()), text.data());
+  }
 }
 
 }  // namespace halfspace::capi

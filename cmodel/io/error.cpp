@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "error.hpp"
 
-#include "escape.hpp"
+#include "printable.hpp"
 
 namespace halfspace {
 
 namespace {
 
-constexpr std::size_t kLongestText = 600;
-
 std::string line_of(const std::string& place, const std::string& text) {
-  const std::string shown = printable(text, kLongestText);
-  return place.empty() ? shown : printable(place) + ": " + shown;
+  std::string line = place.empty() ? "" : place + ": ";
+  return printable(line.append(first_line(text)));
 }
 
 }  // namespace

@@ -42,23 +42,4 @@ std::string quoted(const std::string& text) {
   return out + "'";
 }
 
-std::string printable(std::string_view text, std::size_t most) {
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
-  std::string out;
-  const std::string_view shown = text.substr(0, most);
-  for (std::size_t i = 0; i < shown.size();) {
-    const std::size_t size = character_size(text.substr(i));
-    if (size != 0) {
-      out += text.substr(i, size);
-    } else {
-      const auto byte = static_cast<std::uint8_t>(text[i]);
-      out += "\\x";
-      out += kDigits[byte >> 4];
-      out += kDigits[byte & 15U];
-    }
-    i += std::max<std::size_t>(size, 1);
-  }
-  return text.size() > most ? out + "..." : out;
-}
-
 }  // namespace halfspace

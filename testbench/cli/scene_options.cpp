@@ -12,7 +12,7 @@
 
 #include "choice.hpp"
 #include "io/error.hpp"
-#include "io/escape.hpp"
+#include "io/printable.hpp"
 #include "number_checks.hpp"
 
 namespace halfspace {
