@@ -60,5 +60,36 @@ TEST(ConfigJson, BrokenJsonNamesItsLine) {
   EXPECT_FALSE(refusal("", ErrorCode::kConfigRead).empty());
 }
 
+TEST(ConfigJson, NestingIsBoundedWhereverItStands) {
+  const auto nested = [](const std::string& before, int depth, const std::string& after) {
+    return before + std::string(static_cast<std::size_t>(depth), '[') +
+           std::string(static_cast<std::size_t>(depth), ']') + after;
+  };
+  for (const auto& [before, after] :
+       {std::pair{"", ""}, {"{\"samples\":", "}"}, {"{\"preset\":", "}"}, {"{\"x\":", "}"}}) {
+    const std::string message = refusal(nested(before, 80000, after), ErrorCode::kConfigRead);
+    EXPECT_NE(message.find("f.json:1: JSON nested deeper than 64"), std::string::npos) << message;
+  }
+  EXPECT_FALSE(refusal(std::string(80000, '{'), ErrorCode::kConfigRead).empty());
+  EXPECT_FALSE(refusal(nested("{\"samples\":", 63, "}"), ErrorCode::kConfigRange).empty());
+  // Brackets in a string are no nesting.
+  EXPECT_FALSE(
+      refusal("{\"" + std::string(100, '[') + "\\\"[\":1}", ErrorCode::kConfigKey).empty());
+}
+
+TEST(ConfigJson, NumbersBeyondAnyTypeAreOutOfRange) {
+  for (const char* text :
+       {"1e999", "-1e999", "1e99999999999999999999", "99999999999999999999999"}) {
+    EXPECT_FALSE(
+        refusal(std::string("{\"samples\": ") + text + "}", ErrorCode::kConfigRange).empty());
+  }
+}
+
+TEST(ConfigJson, AKeyThatIsThereTwiceIsRefused) {
+  EXPECT_FALSE(refusal(R"({"samples": 1, "samples": 4})", ErrorCode::kConfigKey).empty());
+  EXPECT_FALSE(refusal(R"({"samples": [{"a": 1, "a": 2}]})", ErrorCode::kConfigKey).empty());
+  EXPECT_FALSE(refusal(R"({"samples": [{"a": 1}, {"a": 2}]})", ErrorCode::kConfigRange).empty());
+}
+
 }  // namespace
 }  // namespace halfspace

@@ -5,9 +5,9 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "error.hpp"
+#include "json_text.hpp"
 #include "output_file.hpp"
 
 namespace halfspace {
@@ -46,16 +46,16 @@ std::string preset_names() {
 
 Config require_preset(const std::string& name, const std::string& place) {
   if (const std::optional<Config> preset = find_preset(name)) return *preset;
-  throw Error(
-      ErrorCode::kConfigKey, place,
-      fmt::format("no preset '{}' (there are {}; a file must end in .json)", name, preset_names()));
+  throw Error(ErrorCode::kConfigKey, place,
+              fmt::format("no preset '{:.40}' (there are {}; a file must end in .json)", name,
+                          preset_names()));
 }
 
 void set_field(Config& config, const std::string& key, const nlohmann::json& value,
                const std::string& place) {
   const auto refuse = [&](const char* expected) {
     throw Error(ErrorCode::kConfigRange, place,
-                fmt::format("{} = {} is not {}", key, value.dump(), expected));
+                fmt::format("{} = {:.40} is not {}", key, value.dump(), expected));
   };
   if (key == "snap") {
     for (std::size_t i = 0; i < kSnapNames.size(); ++i) {
@@ -74,7 +74,7 @@ void set_field(Config& config, const std::string& key, const nlohmann::json& val
     config.*field.value = value.get<int>();
     return;
   }
-  throw Error(ErrorCode::kConfigKey, place, fmt::format("unknown key '{}'", key));
+  throw Error(ErrorCode::kConfigKey, place, fmt::format("unknown key '{:.40}'", key));
 }
 
 }  // namespace
@@ -85,25 +85,9 @@ void require_legal(const Config& config, const std::string& place) {
 }
 
 Config parse_config(const std::string& text, const std::string& place) {
-  nlohmann::json json;
-  std::set<std::string> keys;
-  std::string twice;
-  const auto see = [&](int depth, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
-    if (depth != 1 || event != nlohmann::json::parse_event_t::key) return true;
-    if (!keys.insert(parsed.get<std::string>()).second) twice = parsed.get<std::string>();
-    return true;
-  };
-  try {
-    json = nlohmann::json::parse(text, see);
-  } catch (const nlohmann::json::parse_error& error) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    const auto line = 1 + std::count(text.begin(), end, '\n');
-    throw Error(ErrorCode::kConfigRead, fmt::format("{}:{}", place, line), "not valid JSON");
-  }
+  const nlohmann::json json = parse_json(
+      text, place, {ErrorCode::kConfigRead, ErrorCode::kConfigKey, ErrorCode::kConfigRange});
   if (!json.is_object()) throw Error(ErrorCode::kConfigRead, place, "not a JSON object");
-  if (!twice.empty()) {
-    throw Error(ErrorCode::kConfigKey, place, fmt::format("key '{:.40}' is there twice", twice));
-  }
   Config config;
   if (json.contains("preset")) {
     if (!json["preset"].is_string()) {

@@ -9,6 +9,7 @@
 #include "fixed.hpp"
 #include "io/config_json.hpp"
 #include "io/error.hpp"
+#include "io/json_text.hpp"
 #include "io/scan.hpp"
 #include "packets_of.hpp"
 
@@ -69,6 +70,11 @@ nlohmann::ordered_json vector_meta_json(const VectorSet& set) {
   return json;
 }
 
+nlohmann::json parse_vector_json(std::string_view text, const std::string& place) {
+  constexpr ErrorCode kBroken = ErrorCode::kVectorsBroken;
+  return parse_json(text, place, {kBroken, kBroken, kBroken});
+}
+
 VectorHeader parse_vector_meta(const nlohmann::json& json, const std::string& place) {
   if (!json.is_object()) broken(place, "not a JSON object");
   const std::uint64_t version = need_count(json, "halfspace_vectors", place);
@@ -110,13 +116,7 @@ VectorHeader parse_vector_meta(const nlohmann::json& json, const std::string& pl
 }
 
 VectorHeader parse_vector_meta(const std::string& text, const std::string& place) {
-  nlohmann::json json;
-  try {
-    json = nlohmann::json::parse(text);
-  } catch (const nlohmann::json::parse_error&) {
-    broken(place, "not valid JSON");
-  }
-  return parse_vector_meta(json, place);
+  return parse_vector_meta(parse_vector_json(text, place), place);
 }
 
 void require_vectors(const VectorSet& set, const VectorCounts& promised, const std::string& place) {

@@ -14,6 +14,9 @@ inline constexpr int kVectorVersion = 1;  // of every format; raised when a read
 // counts and the layout of each kind of record.
 nlohmann::ordered_json vector_meta_json(const VectorSet& set);
 
+// JSON of a header, a manifest or a record. Throws Error(kVectorsBroken).
+nlohmann::json parse_vector_json(std::string_view text, const std::string& place);
+
 // The same read back, with the counts promised. Throws Error(kVectorsBroken): not an object, a
 // missing or wrong field, another version, a layout that is not this program's.
 struct VectorHeader {

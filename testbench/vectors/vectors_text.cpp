@@ -151,7 +151,7 @@ VectorSet vectors_from_json_lines(const std::string& bytes, const std::string& p
   VectorSet set{header.meta, {}};
   const VectorLayouts all(set.meta);
   while (lines.next()) {
-    const auto json = nlohmann::json::parse(lines.line(), nullptr, false);
+    const nlohmann::json json = parse_vector_json(lines.line(), lines.place());
     if (!json.is_object() || !json.contains("kind") || !json["kind"].is_string()) {
       lines.broken("not a JSON object with a kind");
     }
