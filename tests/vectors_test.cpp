@@ -197,6 +197,14 @@ TEST(Vectors, IllegalStimulusIsRefusedBeforeAStageSeesIt) {
   set.records[1].values[1] = -1;  // tiny has no guard band
   EXPECT_TRUE(refused(set, ErrorCode::kVectorInput));
   set = make_set(VectorStage::kTriangleSetup, kTiny, 12, 0);
+  set.meta.config.extent_bits = 2;  // edges of less than 4 px
+  EXPECT_TRUE(refused(set, ErrorCode::kVectorInput));
+  for (const VectorStage stage : {VectorStage::kTileTraversal, VectorStage::kCoverage}) {
+    set = make_set(stage, kTiny, 12, 0);
+    set.meta.config.extent_bits = 2;
+    EXPECT_TRUE(refused(set, ErrorCode::kVectorInput)) << stage_name(stage);
+  }
+  set = make_set(VectorStage::kTriangleSetup, kTiny, 12, 0);
   set.records[0].values[kRunFrame] = 0;
   EXPECT_TRUE(refused(set, ErrorCode::kVectorInput));
   set = make_set(VectorStage::kCoverage, kTiny, 12, 0);
@@ -208,6 +216,56 @@ TEST(Vectors, IllegalStimulusIsRefusedBeforeAStageSeesIt) {
   EXPECT_TRUE(refused(set, ErrorCode::kVectorInput));
   set.records.clear();
   EXPECT_TRUE(refused(set, ErrorCode::kVectorsEmpty));
+}
+
+// Every place of a file of vectors where JSON stands.
+TEST(Vectors, JsonIsBoundedInDepthAndRange) {
+  const VectorSet set = make_set(VectorStage::kTriangleSetup, kTiny, 12, 0);
+  const std::string deep = std::string(80000, '[') + std::string(80000, ']');
+  const auto broken = [](auto&& read) {
+    try {
+      read();
+    } catch (const Error& error) {
+      return error.code() == ErrorCode::kVectorsBroken;
+    }
+    return false;
+  };
+  for (const std::string& bad : {deep, std::string("1e999")}) {
+    for (const char* key : {"\"layout\":", "\"config\":", "\"seed\":"}) {
+      std::string csv = vectors_to_csv(set), lines = vectors_to_json_lines(set);
+      for (std::string* text : {&csv, &lines}) text->insert(text->find(key), "\"x\":" + bad + ",");
+      EXPECT_TRUE(broken([&] { vectors_from_csv(csv, "x"); })) << key;
+      EXPECT_TRUE(broken([&] { vectors_from_json_lines(lines, "x"); })) << key;
+    }
+    std::string lines = vectors_to_json_lines(set);
+    lines.replace(lines.find("\"stall\":") + 8, 1, bad);
+    EXPECT_TRUE(broken([&] { vectors_from_json_lines(lines, "x"); }));
+    EXPECT_TRUE(broken([&] { parse_vector_meta(bad, "x"); }));
+  }
+}
+
+// Clocks are a file's word until the model has said its own.
+TEST(Vectors, ClocksOfADamagedFileTakeNoMemory) {
+  VectorSet set = make_set(VectorStage::kRasterizer, kTiny, 12, 1u << 30);
+  const std::string manifest = vector_meta_json(set).dump();
+  HexFiles files = vectors_to_hex(set);
+  ASSERT_NO_THROW(vectors_from_hex(files, manifest, "x"));
+  VectorSet damaged = set;
+  damaged.records[0].values[kRunClocks] = 0xffffffff;
+  EXPECT_THROW(vectors_to_hex(damaged), Error) << "more than a ready pattern may take";
+  // The same line of the run, bit by bit: without stalls there is no pattern to write.
+  damaged.records[0].values[kRunStall] = 0;
+  const std::string all_clocks = vectors_to_hex(damaged).run;
+  const std::string digits = "0123456789abcdef";
+  for (std::size_t i = 0; files.run[i] != '\n'; ++i) {
+    files.run[i] = digits[digits.find(files.run[i]) | digits.find(all_clocks[i])];
+  }
+  try {
+    vectors_from_hex(files, manifest, "x");
+    ADD_FAILURE() << "read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kVectorsBroken) << error.what();
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "fixed.hpp"
+#include "triangle_setup.hpp"
 
 namespace halfspace {
 namespace {
@@ -45,11 +46,11 @@ void put_slopes(Values& values, const SetupTriangle& setup) {
 }
 
 std::string slope_fault(const SetupTriangle& setup, const Config& config) {
-  const std::int64_t greatest = config.coordinate_max() - config.coordinate_min();
+  const std::int64_t greatest = config.extent_max();
   for (std::size_t i = 0; i < 3; ++i) {
     if (std::abs(std::int64_t{setup.slope[i].a}) > greatest ||
         std::abs(std::int64_t{setup.slope[i].b}) > greatest) {
-      return fmt::format("slope{} is beyond the legal square", i);
+      return fmt::format("slope{} is longer than any legal edge", i);
     }
   }
   return {};
@@ -63,7 +64,8 @@ std::string triangle_fault(const Triangle& triangle, const Config& config) {
       }
     }
   }
-  return {};
+  if (within_extent(triangle, config)) return {};
+  return fmt::format("an edge is longer than extent_bits = {} allows", config.extent_bits);
 }
 
 std::string node_fault(const NodeOfTriangle& in, int level, const Config& config) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
@@ -85,7 +86,21 @@ Stalls stalls_of(const Values& run) {
   return run[kRunStall] == 0 ? Stalls() : Stalls(stall_probability(run), stall_seed(run));
 }
 
+std::uint64_t all_ready_words(const VectorSet& set) {
+  std::uint64_t words = 0;
+  for (const VectorRecord& record : set.records) {
+    if (record.kind == RecordKind::kRun) words += ready_words(record.values);
+  }
+  return words;
+}
+
+// Clocks are a file's word: their pattern must not take memory before it is known to be theirs.
+constexpr std::uint64_t kMostReadyWords = std::uint64_t{1} << 25;
+
 std::string ready_lines(const VectorSet& set) {
+  if (all_ready_words(set) > kMostReadyWords) {
+    throw Error(ErrorCode::kVectorsSize, "", "more than 2^30 clocks of stalls");
+  }
   std::string out;
   for (const VectorRecord& record : set.records) {
     if (record.kind != RecordKind::kRun) continue;
@@ -198,7 +213,12 @@ VectorSet vectors_from_hex(const HexFiles& files, const std::string& manifest,
     }
   }
   if (!rest[1].empty() || !rest[2].empty()) broken(place, "words follow the last run's");
-  if (files.ready != ready_lines(set)) broken(place, "the ready pattern is not that of the runs");
+  // Its size first: it is short, whatever clocks the runs claim.
+  constexpr std::size_t kWordBytes = 9;  // eight digits and the line's end
+  if (files.ready.size() != kWordBytes * std::max<std::uint64_t>(all_ready_words(set), 1) ||
+      files.ready != ready_lines(set)) {
+    broken(place, "the ready pattern is not that of the runs");
+  }
   require_vectors(set, header.counts, place);
   return set;
 }
