@@ -4,6 +4,7 @@
 // against its pixels.
 #include "io/tcov.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -80,10 +81,10 @@ class TcovFile : public testing::Test {
   void TearDown() override { std::filesystem::remove(path_); }
 
   // The error's code and text, or 0 when the file is read.
-  int code_of(const std::string& text) {
+  int code_of(const std::string& text, const TcovReading& reading = {}) {
     std::ofstream(path_) << text;
     try {
-      read_tcov(path_);
+      read_tcov(path_, reading);
     } catch (const Error& error) {
       message_ = error.what();
       return static_cast<int>(error.code());
@@ -126,6 +127,34 @@ TEST_F(TcovFile, DamageIsNamedWithItsLine) {
   EXPECT_EQ(code_of("TCOV 1 1\ncase 0 t 8 8 0 0 0 0\nmore"), broken);
   EXPECT_EQ(code_of("TCOV 1 1\ncase 0 t 8 8 1 0 0 0\n1 2 3 4 5 99999999999999999999"), broken);
   EXPECT_EQ(code_of("TCOV 1 1\ncase 0 t 8 8 1 0 0 0\n1 2 3 4 5 6\n"), 0) << message_;
+}
+
+// Without the pictures the CRC is computed from the spans alone.
+TEST_F(TcovFile, SpansFitTheirCrcWhetherThePictureIsKeptOrNot) {
+  const std::string before = "TCOV 1 1\ncase 0 t 300 200 0 3 ";
+  const std::string after = " 0\n7 1 3 1000 4097 255 0 50000 1\n";
+  std::vector<std::uint8_t> hits(300 * 200);
+  std::fill_n(hits.begin() + 7, 1, 3);
+  std::fill_n(hits.begin() + 1008, 4097, 255);
+  std::fill_n(hits.begin() + 5105, 50000, 1);
+  for (const bool keep : {false, true}) {
+    const TcovReading reading{.max_size = 300, .hits = keep};
+    EXPECT_EQ(code_of(before + fmt::format("{:08x}", crc32_of(hits)) + after, reading), 0);
+    EXPECT_EQ(read_tcov(path_, reading).front().hits.empty(), !keep);
+    EXPECT_EQ(code_of(before + fmt::format("{:08x}", crc32_of(hits) ^ 1u) + after, reading),
+              static_cast<int>(ErrorCode::kTcovBroken));
+  }
+}
+
+TEST_F(TcovFile, HeadersTakeNoMemoryThatTheyMayNot) {
+  const std::string three =
+      "TCOV 1 3\ncase 0 t 32768 32768 0 0 0 0\ncase 1 t 32768 32768 0 0 0 0\n"
+      "case 2 t 32768 32768 0 0 0 0\n";
+  EXPECT_EQ(code_of(three, {.max_size = 4096, .hits = true}), static_cast<int>(ErrorCode::kSize));
+  EXPECT_NE(message_.find(":2: case 0: 32768x32768"), std::string::npos) << message_;
+  EXPECT_EQ(code_of(three), static_cast<int>(ErrorCode::kScene));
+  EXPECT_NE(message_.find(":3: case 1"), std::string::npos) << message_;
+  EXPECT_EQ(code_of(three, {.max_size = kTcovMaxSize, .hits = false}), 0);
 }
 
 TEST_F(TcovFile, TrianglesBeyondTheConfigurationAreRefused) {

@@ -55,11 +55,12 @@ class Tokens {
   }
 
   [[noreturn]] void fail(const std::string& text) const {
-    throw Error(ErrorCode::kTcovBroken, fmt::format("{}:{}", path_, line_), text);
+    throw Error(ErrorCode::kTcovBroken, place(), text);
   }
 
   std::size_t bytes_left() const { return text_.size() - at_; }
   int line() const { return line_; }
+  std::string place() const { return fmt::format("{}:{}", path_, line_); }
 
  private:
   static bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
@@ -73,23 +74,61 @@ class Tokens {
   int line_ = 1;
 };
 
-void read_hits(Tokens& tokens, TcovCase& tcov, int spans) {
+// CRC-32 of `count` equal bytes that follow those whose CRC is `before`, in about log2(count)^2
+// steps: the picture of a span need not be there.
+std::uint32_t crc32_of_run(std::uint8_t value, std::uint64_t count, std::uint32_t before) {
+  uLong run = ::crc32_z(0, &value, 1);  // of `length` such bytes
+  uLong crc = before;
+  for (std::uint64_t length = 1; count != 0; length *= 2, count /= 2) {
+    if (count % 2 != 0) crc = ::crc32_combine(crc, run, static_cast<z_off_t>(length));
+    run = ::crc32_combine(run, run, static_cast<z_off_t>(length));
+  }
+  return static_cast<std::uint32_t>(crc);
+}
+
+void read_hits(Tokens& tokens, TcovCase& tcov, int spans, bool keep) {
+  const auto pixels = static_cast<std::size_t>(tcov.width) * static_cast<std::size_t>(tcov.height);
+  if (keep) tcov.hits.resize(pixels);
   std::size_t at = 0;
+  std::uint32_t crc = 0;
   for (int i = 0; i < spans; ++i) {
     const auto gap = static_cast<std::size_t>(tokens.number("span gap", 0, INT32_MAX));
     const auto length = static_cast<std::size_t>(tokens.number("span length", 0, INT32_MAX));
     const auto value = static_cast<std::uint8_t>(tokens.integer("span value", 0, 255));
-    if (at + gap + length > tcov.hits.size()) tokens.fail("span goes beyond the frame");
+    if (at + gap + length > pixels) tokens.fail("span goes beyond the frame");
     at += gap;
-    std::fill_n(tcov.hits.begin() + static_cast<std::ptrdiff_t>(at), length, value);
+    if (keep) std::fill_n(tcov.hits.begin() + static_cast<std::ptrdiff_t>(at), length, value);
     at += length;
+    crc = crc32_of_run(value, length, crc32_of_run(0, gap, crc));
   }
-  if (spans > 0 && tcov.crc != 0 && tcov.crc != crc32_of(tcov.hits)) {
+  if (spans > 0 && tcov.crc != 0 && tcov.crc != crc32_of_run(0, pixels - at, crc)) {
     tokens.fail(fmt::format("case {}: the picture does not fit its CRC (damaged)", tcov.id));
   }
 }
 
-TcovCase read_case(Tokens& tokens) {
+[[noreturn]] void refuse_size(const TcovCase& tcov, int most, const std::string& place) {
+  throw Error(ErrorCode::kSize, place,
+              fmt::format("case {}: {}x{} is larger than the configuration's {} pixels", tcov.id,
+                          tcov.width, tcov.height, most));
+}
+
+void require_room(const TcovCase& tcov, const TcovReading& reading, std::uint64_t& pixels_left,
+                  const std::string& place) {
+  if (tcov.width > reading.max_size || tcov.height > reading.max_size) {
+    refuse_size(tcov, reading.max_size, place);
+  }
+  const auto pixels =
+      static_cast<std::uint64_t>(tcov.width) * static_cast<std::uint64_t>(tcov.height);
+  if (pixels > pixels_left) {
+    throw Error(ErrorCode::kScene, place,
+                fmt::format("case {}: the cases up to here have more than {} pixels: make several "
+                            "files",
+                            tcov.id, kTcovMaxPixels));
+  }
+  pixels_left -= pixels;
+}
+
+TcovCase read_case(Tokens& tokens, const TcovReading& reading, std::uint64_t& pixels_left) {
   if (tokens.word("'case'") != "case") tokens.fail("'case' expected");
   TcovCase tcov;
   tcov.line = tokens.line();
@@ -97,6 +136,7 @@ TcovCase read_case(Tokens& tokens) {
   tcov.tag = tokens.word("tag");
   tcov.width = tokens.integer("width", 1, kTcovMaxSize);
   tcov.height = tokens.integer("height", 1, kTcovMaxSize);
+  require_room(tcov, reading, pixels_left, tokens.place());
   const int triangles = tokens.integer("triangle count", 0, INT32_MAX);
   const int spans = tokens.integer("span count", 0, INT32_MAX);
   tcov.crc = static_cast<std::uint32_t>(tokens.number("CRC", 0, UINT32_MAX, 16));
@@ -112,8 +152,7 @@ TcovCase read_case(Tokens& tokens) {
       value = tokens.number("coordinate", -kTcovCoordinateMax, kTcovCoordinateMax);
     }
   }
-  tcov.hits.resize(static_cast<std::size_t>(tcov.width) * static_cast<std::size_t>(tcov.height));
-  read_hits(tokens, tcov, spans);
+  read_hits(tokens, tcov, spans, reading.hits);
   return tcov;
 }
 
@@ -142,13 +181,14 @@ void write_case(OutputFile& file, const TcovCase& tcov) {
 
 }  // namespace
 
-std::vector<TcovCase> read_tcov(const std::string& path) {
+std::vector<TcovCase> read_tcov(const std::string& path, const TcovReading& reading) {
   Tokens tokens(path, read_file(path));
   if (tokens.word("'TCOV'") != "TCOV") tokens.fail("not a TCOV file");
   if (tokens.word("version") != "1") tokens.fail("TCOV version 1 expected");
   const int count = tokens.integer("case count", 0, INT32_MAX);
   std::vector<TcovCase> cases;
-  for (int i = 0; i < count; ++i) cases.push_back(read_case(tokens));
+  std::uint64_t pixels_left = reading.hits ? kTcovMaxPixels : ~std::uint64_t{0};
+  for (int i = 0; i < count; ++i) cases.push_back(read_case(tokens, reading, pixels_left));
   if (!tokens.at_end()) tokens.fail("text after the last case");
   return cases;
 }
@@ -161,9 +201,7 @@ void write_tcov(OutputFile& file, const std::vector<TcovCase>& cases) {
 TcovTriangles tcov_triangles(const TcovCase& tcov, const Config& config, const std::string& place) {
   const std::string where = fmt::format("{}:{}", place, tcov.line);
   if (tcov.width > config.max_size() || tcov.height > config.max_size()) {
-    throw Error(ErrorCode::kSize, where,
-                fmt::format("case {}: {}x{} is larger than the configuration's {} pixels", tcov.id,
-                            tcov.width, tcov.height, config.max_size()));
+    refuse_size(tcov, config.max_size(), where);
   }
   TcovTriangles out;
   out.triangles.reserve(tcov.triangles.size());

@@ -31,9 +31,17 @@ inline constexpr int kTcovFractionBits = 8;  // of a file's coordinates
 // Frames up to this side are read; larger ones are taken for damage.
 inline constexpr int kTcovMaxSize = 1 << 15;
 
+// What is read of a TCOV file.
+struct TcovReading {
+  int max_size = kTcovMaxSize;  // pixels a side; Error(kSize) at the header of a greater case
+  bool hits = true;             // false: TcovCase::hits stays empty, and takes no memory
+};
+
 // Throws Error(kFileRead), or Error(kTcovBroken) with the line. Spans may be absent (nspan 0). When
-// a case has spans, its CRC must fit unless it is 0 (checked).
-std::vector<TcovCase> read_tcov(const std::string& path);
+// a case has spans, its CRC must fit unless it is 0 (checked). Memory: a file of headers alone may
+// ask for kTcovMaxPixels in all; Error(kScene) beyond.
+std::vector<TcovCase> read_tcov(const std::string& path, const TcovReading& reading = {});
+inline constexpr std::uint64_t kTcovMaxPixels = std::uint64_t{1} << 30;
 
 // Writes hits, CRC and sum of each case; its triangles too. Throws Error(kFileWrite).
 void write_tcov(OutputFile& file, const std::vector<TcovCase>& cases);

@@ -179,7 +179,9 @@ std::array<std::int32_t, kMaxAttributes> triangle_color(std::size_t index) {
 
 class TcovScene : public Scene {
  public:
-  TcovScene(std::string path, int case_id) : path_(std::move(path)), cases_(read_tcov(path_)) {
+  TcovScene(std::string path, int case_id)
+      : path_(std::move(path)),
+        cases_(read_tcov(path_, {.max_size = kTcovMaxSize, .hits = false})) {
     if (case_id < 0) return;
     std::erase_if(cases_, [case_id](const TcovCase& tcov) { return tcov.id != case_id; });
     if (cases_.empty()) {
