@@ -55,6 +55,7 @@ TEST(CapiErrors, NullHandlesAndPointersAreRefused) {
   expect_refused(hs_create_preset("full", nullptr), HS_ERROR_ARGUMENT, "model");
   expect_refused(hs_create_json(nullptr, &none), HS_ERROR_ARGUMENT, "text");
   expect_refused(hs_begin_frame(nullptr, &frame), HS_ERROR_ARGUMENT, "model");
+  expect_refused(hs_reset(nullptr), HS_ERROR_ARGUMENT, "model");
   expect_refused(hs_begin_frame(model, nullptr), HS_ERROR_ARGUMENT, "frame");
   expect_refused(hs_get_info(model, nullptr), HS_ERROR_ARGUMENT, "info");
   ASSERT_EQ(hs_begin_frame(model, &frame), HS_OK);
@@ -87,7 +88,55 @@ TEST(CapiErrors, BadConfigurationsAreRefusedWithTheirKey) {
   expect_refused(hs_create_json(R"({"sub": 1})", &model), HS_ERROR_CONFIG, "sub");
   expect_refused(hs_create_json(R"({"samples": 3})", &model), HS_ERROR_CONFIG, "samples");
   expect_refused(hs_create_json(R"({"samples": "4"})", &model), HS_ERROR_CONFIG, "samples");
+  expect_refused(hs_create_json(R"({"samples": 1e999})", &model), HS_ERROR_CONFIG, "1e999");
+  const std::string deep =
+      "{\"samples\":" + std::string(80000, '[') + std::string(80000, ']') + "}";
+  expect_refused(hs_create_json(deep.c_str(), &model), HS_ERROR_CONFIG, "nested");
+  expect_refused(hs_create_json("{\"a\\u001b[31mb\":1}", &model), HS_ERROR_CONFIG, "a\\x1b[31mb");
   EXPECT_EQ(model, nullptr);
+}
+
+// Of every kind of push: no count of what was refused, and the next one counts as ever.
+TEST(CapiErrors, WhatIsRefusedIsNotCounted) {
+  const Handle model(R"({"preset": "tiny", "extent_bits": 3})", Handle::kJson);
+  const hs_frame frame = frame_of(64, 64, HS_COUNTS);
+  ASSERT_EQ(hs_begin_frame(model, &frame), HS_OK);
+  const auto stats = [&model] {
+    hs_stats out{};
+    out.struct_size = sizeof out;
+    EXPECT_EQ(hs_get_stats(model, &out), HS_OK);
+    return std::array{out.triangles_in, out.triangles_outside, out.triangles_clipped, out.triangles,
+                      out.triangles_not_finite};
+  };
+  const auto none = stats();
+  std::array<hs_clip_vertex, 3> cut{}, wide{};
+  for (auto& v : cut) v.position[3] = 1;
+  wide = cut;
+  cut[0].position[0] = -3;
+  cut[1].position[0] = 3;
+  cut[2].position[1] = 0.9;
+  wide[0].position[0] = -0.9;
+  wide[1].position[0] = 0.9;
+  wide[2].position[1] = 0.9;
+  const std::array<std::int32_t, 6> far{0, 0, 1000, 0, 0, 1000};
+  const std::array<double, 6> far_px{0, 0, 60, 0, 0, 60};
+  std::array<hs_vertex, 3> shaded{};
+  shaded[1].x = 1000;
+  for (int twice = 0; twice < 2; ++twice) {
+    expect_refused(hs_push_clip(model, cut.data(), 0), HS_ERROR_RANGE, "extent_bits");
+    expect_refused(hs_push_clip(model, wide.data(), 0), HS_ERROR_RANGE, "extent_bits");
+    expect_refused(hs_push_triangle(model, far.data(), 0), HS_ERROR_RANGE, "extent_bits");
+    expect_refused(hs_push_triangle_px(model, far_px.data(), 0), HS_ERROR_RANGE, "extent_bits");
+    expect_refused(hs_push_shaded(model, shaded.data(), 0), HS_ERROR_RANGE, "extent_bits");
+    EXPECT_EQ(stats(), none);
+  }
+  for (auto& v : wide) {
+    v.position[0] /= 10;
+    v.position[1] /= 10;
+  }
+  ASSERT_EQ(hs_push_clip(model, wide.data(), 0), HS_OK);
+  EXPECT_EQ(stats()[0], 1u);
+  EXPECT_EQ(stats()[3], 1u);
 }
 
 TEST(CapiErrors, StructsOfANewerHeaderWorkWhileTheirNewFieldsAreZero) {

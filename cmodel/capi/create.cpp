@@ -97,7 +97,8 @@ hs_status hs_begin_frame(hs_model* model, const hs_frame* frame) {
 
 hs_status hs_reset(hs_model* model) {
   return call([&] {
-    model->frame = std::make_unique<Frame>(frame_of(model).request(), model->config);
+    const hs_frame request = frame_of(model).request();
+    model->frame = std::make_unique<Frame>(request, model->config);
     return HS_OK;
   });
 }

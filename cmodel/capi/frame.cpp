@@ -94,8 +94,7 @@ Frame::Frame(const hs_frame& request, const Config& config)
       config_(config),
       state_(checked(request, config)),
       outputs_(request.outputs == 0 ? std::uint32_t{HS_TILES} : request.outputs),
-      engine_(state_, config, Stalls(request.stall_probability, request.stall_seed)),
-      geometry_(state_, config) {
+      engine_(state_, config, Stalls(request.stall_probability, request.stall_seed)) {
   const DepthState depth = depth_state(request, config);
   const std::optional<Box> scissor = scissor_box(request);
   if (!keeps(HS_FRAGMENTS | HS_PICTURE)) {
@@ -130,15 +129,17 @@ void Frame::draw(std::span<const ShadedTriangle> triangles) {
 
 void Frame::draw_clip(const std::array<ClipVertex, 3>& triangle, std::uint32_t tag) {
   pieces_.clear();
-  const std::uint64_t cut = geometry_.stats().beyond_sides;
-  geometry_.process(triangle, tag, pieces_);
+  GeometryStage geometry(state_,
+                         config_);  // its counts are those of a triangle that may be refused
+  geometry.process(triangle, tag, pieces_);
   if (config_.extent_bits != 0) {
-    if (geometry_.stats().beyond_sides != cut) {
+    if (geometry.stats().beyond_sides != 0) {
       throw Refusal(HS_ERROR_RANGE, "the triangle is cut at a side: extent_bits allows none");
     }
     for (const ShadedTriangle& piece : pieces_) check_extent(piece.triangle, config_);
   }
   draw(pieces_);
+  count_in(geometry.stats());
 }
 
 void Frame::count_in(const GeometryStats& stats) {
@@ -172,12 +173,11 @@ const std::vector<std::uint8_t>& Frame::hits() const {
 
 hs_stats Frame::stats() const {
   const RasterStats& raster = engine_.stats();
-  const GeometryStats& clipped = geometry_.stats();
   hs_stats out{};
-  out.triangles_in = counted_.triangles_in + clipped.triangles_in;
-  out.triangles_not_finite = counted_.dropped_not_finite + clipped.dropped_not_finite;
-  out.triangles_outside = counted_.outside + clipped.outside;
-  out.triangles_clipped = counted_.clipped + clipped.clipped;
+  out.triangles_in = counted_.triangles_in;
+  out.triangles_not_finite = counted_.dropped_not_finite;
+  out.triangles_outside = counted_.outside;
+  out.triangles_clipped = counted_.clipped;
   out.triangles = raster.triangles;
   out.triangles_zero_area = raster.triangles_zero_area;
   out.triangles_culled = raster.triangles_culled;

@@ -54,7 +54,6 @@ class Frame {
   std::optional<HitCount> hits_;            // without a rasterizer, which has its own
   std::unique_ptr<Rasterizer> rasterizer_;  // where depth is asked for
   CycleEngine engine_;
-  GeometryStage geometry_;
   GeometryStats counted_;
   std::vector<ShadedTriangle> pieces_;
   std::uint64_t triangles_ = 0;  // that entered the hardware
