@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "samples.hpp"
 #include "vectors/goal.hpp"
 
 namespace halfspace {
@@ -149,11 +150,42 @@ TEST(Bins, NoTriangleOfASmallLatticeHitsAnUnreachableBin) {
   exhaust(config, {{8, 8, Cull::kNone}, {1, 1, Cull::kNone}, {5, 3, Cull::kNone}});
   config.samples = 2;
   exhaust(config, {{8, 8, Cull::kNone}, {3, 5, Cull::kNone}});
+  // Samples 9 and 12 lie on whole pixels in one direction, so ties along both axes exist.
+  config.samples = 16;
+  exhaust(config, {{8, 8, Cull::kNone}});
   config.samples = 1;
   config.guard_bits = 3;
   exhaust(config, {{4, 4, Cull::kNone}});
   config = {.subpixel_bits = 1, .viewport_bits = 3, .guard_bits = 0, .grid_log2 = 3};
   exhaust(config, {{8, 3, Cull::kNone}});
+}
+
+// Ties of every configuration that samples and subpixels make, against the samples themselves.
+TEST(Bins, TiesAreReachableWhereASampleLiesOnTheLattice) {
+  for (const int samples : {1, 2, 4, 8, 16}) {
+    for (int bits = 0; bits <= 4; ++bits) {
+      const BinModel model({.subpixel_bits = bits, .viewport_bits = 9, .samples = samples});
+      const int step = 16 >> bits;
+      std::set<std::string> on_line;
+      bool on_point = false;
+      for (const SamplePosition p : sample_positions(samples)) {
+        if (p.x % step == 0) on_line.insert({"E", "W"});
+        if (p.y % step == 0) on_line.insert({"S", "N"});
+        if ((p.x + p.y) % step == 0) on_line.insert({"SE", "NW"});
+        if ((p.x - p.y) % step == 0) on_line.insert({"SW", "NE"});
+        on_point = on_point || (p.x % step == 0 && p.y % step == 0);
+      }
+      for (const Bin& bin : model.bins()) {
+        const std::string wind = bin.name.substr(bin.name.rfind('.') + 1);
+        if (bin.name.starts_with("tie.vertex")) {
+          EXPECT_EQ(bin.reason.empty(), on_point) << bin.name << " " << samples << " " << bits;
+        } else if (bin.name.starts_with("tie.")) {
+          EXPECT_EQ(bin.reason.empty(), wind.size() == 3 || on_line.count(wind) == 1)
+              << bin.name << " " << samples << " " << bits;
+        }
+      }
+    }
+  }
 }
 
 TEST(Goal, AMinimalSetHitsWhatTheSearchHit) {

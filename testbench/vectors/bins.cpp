@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdlib>
 #include <functional>
+#include <span>
 
 #include "samples.hpp"
 
@@ -170,17 +172,26 @@ class BinWriter {
   }
 
   void tie_groups(BinModel::Groups& g) {
-    // A sample on a vertex, or on an edge along an axis, needs a sample on the vertices' lattice.
-    const bool on_lattice = config_.subpixel_bits >= config_.sample_position_bits();
+    // A tie needs a sample where the lattice of vertices has a point, for an edge along an axis or
+    // a diagonal a line. Other edges leave the lattice and may pass through any sample.
+    const int step = std::max(1, 16 >> config_.subpixel_bits);  // of vertices, 1/16 px
     const std::string off = "no sample lies on the lattice of vertices (subpixel_bits)";
-    g.tie_edge = add("tie.edge.", winds(16), [=](std::size_t i) {
-      return !on_lattice && i % 4 == 0 ? off : std::string();
-    });
+    const auto any = [this, step](auto&& distance) {
+      const std::span<const SamplePosition> all = sample_positions(config_.samples);
+      return std::any_of(all.begin(), all.end(),
+                         [&](SamplePosition p) { return distance(p) % step == 0; });
+    };
+    const std::array<bool, 4> on_line{
+        any([](SamplePosition p) { return p.x; }), any([](SamplePosition p) { return p.x + p.y; }),
+        any([](SamplePosition p) { return p.y; }), any([](SamplePosition p) { return p.x - p.y; })};
+    const bool on_point = any([](SamplePosition p) { return p.x | p.y; });
+    const Reason line = [=](std::size_t wind) {
+      return wind % 2 == 0 && !on_line[wind / 2 % 4] ? off : std::string();
+    };
+    g.tie_edge = add("tie.edge.", winds(16), line);
     g.tie_vertex = add("tie.vertex", cross(numbers(3, ""), {"owned", "lost"}),
-                       on_lattice ? Reason{} : always(off));
-    g.tie_shared = add("tie.shared.", winds(8), [=](std::size_t i) {
-      return !on_lattice && i % 4 == 0 ? off : std::string();
-    });
+                       on_point ? Reason{} : always(off));
+    g.tie_shared = add("tie.shared.", winds(8), line);
   }
 
   void mask_groups(BinModel::Groups& g) {
