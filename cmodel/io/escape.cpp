@@ -3,7 +3,6 @@
 
 namespace halfspace {
 
-
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
