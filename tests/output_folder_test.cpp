@@ -35,7 +35,11 @@ class OutputFolderTest : public testing::Test {
     return out;
   }
   static void put(const fs::path& path, const std::string& text) { std::ofstream(path) << text; }
-  static std::string text(const fs::path& path) { return read_file(path.string()); }
+  // Not by read_file(): what that reads is an input, and no output may replace it.
+  static std::string text(const fs::path& path) {
+    std::ifstream stream(path);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
 
   // The exit status of a process that does the work with the handlers of the program.
   template <class Work>
@@ -64,6 +68,29 @@ TEST_F(OutputFolderTest, NothingIsInPlaceBeforeCommitAndEverythingAfter) {
   folder.commit();
   EXPECT_EQ(tree(), (std::set<std::string>{"a", "a/b", "a/b/out", "a/b/out/one", "a/b/out/two"}));
   EXPECT_EQ(text(base_ / "a/b/out/two"), "2");
+}
+
+TEST_F(OutputFolderTest, AnInputStaysWhatItIs) {
+  fs::create_directory(base_ / "out");
+  put(base_ / "out/one", "input");
+  put(base_ / "out/two", "old");
+  fs::create_hard_link(base_ / "out/one", base_ / "out/hard");
+  EXPECT_EQ(read_file((base_ / "out/hard").string()), "input");
+  {
+    OutputFolder folder((base_ / "out").string());
+    put(folder.file("two"), "new");
+    put(folder.file("one"), "new");
+    EXPECT_THROW(folder.commit(), Error);
+  }
+  EXPECT_THROW(OutputFile((base_ / "out/one").string()), Error);
+  EXPECT_EQ(text(base_ / "out/one"), "input");
+  EXPECT_EQ(text(base_ / "out/two"), "old");
+  OutputFile opened_before((base_ / "out/two").string());
+  EXPECT_EQ(read_file((base_ / "out/two").string()), "old");
+  EXPECT_THROW(opened_before.commit(), Error);
+  // A file that has changed since is another one.
+  put(base_ / "out/one", "changed by another program");
+  EXPECT_NO_THROW(OutputFile((base_ / "out/one").string()));
 }
 
 TEST_F(OutputFolderTest, FolderThatIsThereKeepsWhatIsNotWrittenAnew) {

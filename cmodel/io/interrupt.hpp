@@ -8,11 +8,24 @@
 
 namespace halfspace {
 
-// Installs a handler for SIGINT and SIGTERM that prints one line, ends the processes of
-// kill_on_interrupt(), removes what RemovedOnInterrupt names and ends this process with status 2;
-// one for SIGABRT, which a failed check raises after its own line, does the same without a line.
-// Called once, by main().
+// Installs a handler for SIGINT, SIGTERM and SIGHUP (unless that is ignored, as by nohup) that
+// prints one line, ends the processes of kill_on_interrupt(), removes what RemovedOnInterrupt names
+// and ends this process with status 2; one for SIGABRT, which a failed check raises after its own
+// line, does the same without a line, and one for SIGPIPE lets the signal end the process then.
+// SIGXFSZ is ignored: a file beyond the limit is one that cannot be written. Called once, by
+// main().
 void handle_interrupts();
+
+// While one lives, an interrupt waits: for a step that must be whole or not begun, such as making a
+// file and registering it, or putting several in place. Then it takes place as ever. One thread at
+// a time; in each other. Short: a user waits for it.
+class InterruptsHeld {
+ public:
+  InterruptsHeld();
+  ~InterruptsHeld();
+  InterruptsHeld(const InterruptsHeld&) = delete;
+  InterruptsHeld& operator=(const InterruptsHeld&) = delete;
+};
 
 // The default again, for a child process: what it leaves is its parent's to remove.
 void leave_interrupts();
@@ -31,6 +44,9 @@ class RemovedOnInterrupt {
  private:
   std::size_t slot_;
 };
+
+// Whether a file of that name is removed when interrupted: by its own name or in a tree.
+bool is_removed_on_interrupt(const std::string& path);
 
 // A child to end when interrupted, so that it writes nothing after this process; 0: none. It leads
 // a process group of its own, and all of that group is ended: by SIGTERM, so that a build tool can

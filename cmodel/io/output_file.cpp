@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "input_files.hpp"
 
 namespace halfspace {
 
@@ -28,13 +29,14 @@ struct Target {
 Target target_of(const std::string& path) {
   constexpr int kMostLinks = 40;
   std::error_code failed;
-  Target target{fs::absolute(path, failed).lexically_normal()};
+  if (path == kStandardStream) return {path, true};
+  Target target{fs::absolute(path, failed)};
   for (int i = 0; i < kMostLinks; ++i) {
     const std::string name = target.path.string();
     target.in_place = name.starts_with("/proc/") || name.starts_with("/dev/fd/");
     if (target.in_place || !fs::is_symlink(target.path, failed)) break;
     const fs::path next = fs::read_symlink(target.path, failed);
-    target.path = (target.path.parent_path() / next).lexically_normal();
+    target.path = target.path.parent_path() / next;
   }
   if (fs::exists(target.path, failed) && !fs::is_regular_file(target.path, failed)) {
     target.in_place = true;
@@ -42,17 +44,29 @@ Target target_of(const std::string& path) {
   return target;
 }
 
+void refuse_input(const std::string& path) {
+  if (is_input(path)) throw Error(ErrorCode::kUsage, path, "is an input: it would be replaced");
+}
+
+std::FILE* open_to_write(const std::string& path) {
+  if (path != kStandardStream) return std::fopen(path.c_str(), "wb");
+  const int copy = ::dup(STDOUT_FILENO);
+  return copy < 0 ? nullptr : ::fdopen(copy, "wb");
+}
+
 }  // namespace
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
   std::error_code ignored;
+  refuse_input(path_);
   if (fs::is_directory(path_, ignored)) {
     throw Error(ErrorCode::kFileWrite, path_, "cannot write: it is a directory");
   }
   const Target target = target_of(path_);
   target_ = target.path.string();
   temporary_ = target.in_place ? path_ : target_ + ".partial-" + std::to_string(::getpid());
-  file_ = std::fopen(temporary_.c_str(), "wb");
+  const InterruptsHeld held;  // until it is known what to remove
+  file_ = open_to_write(temporary_);
   if (file_ == nullptr) {
     throw Error(ErrorCode::kFileWrite, path_, std::string("cannot write: ") + std::strerror(errno));
   }
@@ -73,6 +87,7 @@ void OutputFile::write(std::string_view bytes) {
 }
 
 void OutputFile::finish() {
+  if (removed_) refuse_input(path_);  // it may have been read since it was opened
   if (file_ == nullptr) return;
   if (std::fflush(file_) != 0 || std::ferror(file_) != 0) fail("cannot write");
   const int closed = std::fclose(std::exchange(file_, nullptr));
@@ -81,10 +96,13 @@ void OutputFile::finish() {
 
 void OutputFile::commit() {
   finish();
+  flush_standard_output();
   if (!removed_) return;
+  const InterruptsHeld held;
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
     fail("cannot rename the finished file into place");
   }
+  if (!is_removed_on_interrupt(target_)) outputs_stay_on_interrupt();
   removed_.reset();
 }
 
@@ -95,6 +113,7 @@ OutputFile& OutputGroup::open(const std::string& path) {
 
 void OutputGroup::commit() {
   for (const auto& file : files_) file->finish();
+  const InterruptsHeld held;  // all or none
   for (const auto& file : files_) file->commit();
 }
 
@@ -104,8 +123,15 @@ void write_text(const std::string& path, std::string_view text) {
   file.commit();
 }
 
+void flush_standard_output() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+  throw Error(ErrorCode::kFileWrite, "", "cannot write to standard output");
+}
+
 void check_writable(const std::string& path) {
   if (path.empty()) throw Error(ErrorCode::kUsage, "", "an output has an empty name");
+  refuse_input(path);
+  if (path == kStandardStream) return;
   std::error_code ignored;
   if (target_of(path).in_place && !fs::is_directory(path, ignored)) {
     // To open a pipe and close it would end what its reader reads.
@@ -131,6 +157,7 @@ void check_distinct(const std::vector<std::string>& paths) {
 }
 
 std::string read_file(const std::string& path) {
+  note_input(path);
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
     throw Error(ErrorCode::kFileRead, path, "cannot read: it is a directory");

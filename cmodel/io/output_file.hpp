@@ -15,8 +15,9 @@ namespace halfspace {
 
 // A file that is whole or not there: written beside its destination under a temporary name and
 // renamed by commit(). Destroyed without commit(), it leaves nothing behind. A link stays one: what
-// it names is written. Devices, pipes and /dev/stdout are written in place.
-// Every failure throws Error(kFileWrite) that names the destination and the reason.
+// it names is written. Devices, pipes, /dev/stdout and "-", which is standard output, are written
+// in place. Every failure throws Error(kFileWrite) that names the destination and the reason; an
+// output that is an input (is_input()), Error(kUsage).
 class OutputFile {
  public:
   explicit OutputFile(std::string path);
@@ -31,7 +32,8 @@ class OutputFile {
   std::FILE* stream() { return file_; }  // for libraries that write to a stream
   // Everything is written and the file closed, still under its temporary name.
   void finish();
-  // finish(), if that was not called, and the file is there.
+  // finish(), if that was not called, and the file is there. What was said on standard output
+  // before is written first: when that fails, no file is.
   void commit();
 
  private:
@@ -58,8 +60,12 @@ class OutputGroup {
 // A file of that text.
 void write_text(const std::string& path, std::string_view text);
 
-// Throws Error(kFileWrite) when path could not be created: asked before long work starts.
+// Throws Error(kFileWrite) when path could not be created, Error(kUsage) when it is an input: asked
+// before long work starts, and after note_input().
 void check_writable(const std::string& path);
+
+// Throws Error(kFileWrite) when standard output does not take what was said so far.
+void flush_standard_output();
 
 // Throws Error(kUsage) when two of the outputs are the same file: one would replace the other.
 // Empty names count as none.

@@ -6,11 +6,35 @@
 #include <system_error>
 
 #include "error.hpp"
+#include "input_files.hpp"
 #include "output_file.hpp"
 
 namespace halfspace {
 
 namespace fs = std::filesystem;
+
+MadeFolders::MadeFolders(const std::string& path, const std::string& shown) {
+  std::error_code error;
+  std::vector<fs::path> missing;
+  for (fs::path folder = path; !folder.empty() && !fs::exists(folder, error);
+       folder = folder.parent_path()) {
+    if (folder.has_filename()) missing.push_back(folder);
+  }
+  for (auto folder = missing.rbegin(); folder != missing.rend(); ++folder) {
+    const InterruptsHeld held;  // until it is known what to remove
+    const bool made = fs::create_directory(*folder, error);
+    if (error) throw Error(ErrorCode::kFileWrite, shown, "cannot create the folder");
+    if (!made) continue;  // another program did
+    made_.push_back(*folder);
+    removed_.push_back(std::make_unique<RemovedOnInterrupt>(folder->string()));
+  }
+}
+
+MadeFolders::~MadeFolders() {
+  std::error_code ignored;
+  for (; !made_.empty(); made_.pop_back()) fs::remove(made_.back(), ignored);
+  while (!removed_.empty()) removed_.pop_back();  // newest first, as they are registered
+}
 
 OutputFolder::OutputFolder(const std::string& path) : path_(fs::path(path).lexically_normal()) {
   if (!path_.has_filename()) path_ = path_.parent_path();
@@ -21,41 +45,17 @@ OutputFolder::OutputFolder(const std::string& path) : path_(fs::path(path).lexic
   if (fs::exists(path_, ignored) && ::access(path_.c_str(), W_OK | X_OK) != 0) {
     throw Error(ErrorCode::kFileWrite, path, "cannot write into the folder");
   }
-  std::vector<fs::path> missing;
-  for (fs::path above = path_.parent_path(); !above.empty() && !fs::exists(above, ignored);
-       above = above.parent_path()) {
-    missing.push_back(above);
-  }
   // "." is a folder that has no name to be written beside.
   const bool nameless = path_.filename() == "." || path_.filename() == ".." || path_ == "/";
   temporary_ = nameless ? path_ / "partial" : path_;
   temporary_ += ".partial-" + std::to_string(::getpid());
-  missing.insert(missing.begin(), temporary_);
-  for (auto folder = missing.rbegin(); folder != missing.rend(); ++folder) make(*folder);
+  above_.emplace(temporary_.string(), path);
 }
 
-OutputFolder::~OutputFolder() { discard(); }
-
-void OutputFolder::discard() {
+OutputFolder::~OutputFolder() {
   std::error_code ignored;
-  if (!made_.empty()) fs::remove_all(made_.back(), ignored);
-  while (!made_.empty()) {
-    fs::remove(made_.back(), ignored);
-    made_.pop_back();
-  }
-  // Newest first, as they are registered.
-  while (!removed_.empty()) removed_.pop_back();
-}
-
-void OutputFolder::make(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directory(folder, error);
-  if (error) {
-    discard();
-    throw Error(ErrorCode::kFileWrite, path_.string(), "cannot create the folder");
-  }
-  made_.push_back(folder);
-  removed_.push_back(std::make_unique<RemovedOnInterrupt>(folder.string()));
+  if (!committed_) fs::remove_all(temporary_, ignored);
+  while (!removed_.empty()) removed_.pop_back();  // newest first, as they are registered
 }
 
 std::string OutputFolder::file(const std::string& name) {
@@ -67,6 +67,13 @@ std::string OutputFolder::file(const std::string& name) {
 
 void OutputFolder::commit() {
   std::error_code error;
+  for (const std::string& name : names_) {
+    if (is_input((path_ / name).string())) {
+      throw Error(ErrorCode::kUsage, (path_ / name).string(), "is an input: it would be replaced");
+    }
+  }
+  flush_standard_output();
+  const InterruptsHeld held;  // all or none
   if (!fs::exists(path_)) {
     fs::rename(temporary_, path_, error);
   } else {
@@ -87,7 +94,9 @@ void OutputFolder::commit() {
     throw Error(ErrorCode::kFileWrite, path_.string(),
                 "cannot move the finished files into place: " + error.message());
   }
-  made_.clear();
+  outputs_stay_on_interrupt();
+  committed_ = true;
+  above_->keep();
 }
 
 }  // namespace halfspace

@@ -44,7 +44,8 @@ void FitOutputs::write(const FitReport& report, const std::vector<EmitRun>& runs
     out_->write(config_json(config).dump(2) + "\n");
     out_->finish();
   }
-  outputs_stay_on_interrupt();
+  flush_standard_output();
+  const InterruptsHeld held;  // all or none
   if (rtl_) rtl_->commit();
   if (report_) report_->commit();
   if (out_) out_->commit();

@@ -10,6 +10,7 @@
 
 #include "io/error.hpp"
 #include "io/output_file.hpp"
+#include "io/output_folder.hpp"
 #include "io/tcov.hpp"
 #include "vectors_meta.hpp"
 
@@ -60,7 +61,7 @@ VectorSet parse_one(VectorFormat format, const std::string& bytes, const std::st
 
 std::vector<PlacedVectors> read_manifest(const std::string& path) {
   const std::string text = read_file(path);
-  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  const nlohmann::json json = parse_vector_json(text, path);
   if (!json.is_object()) broken(path, "not a JSON object");
   const auto files = manifest_files(json, path);
   const fs::path folder = fs::path(path).parent_path();
@@ -133,13 +134,16 @@ NamedBytes vector_manifest(const VectorSet& set, const std::vector<NamedBytes>& 
 }
 
 void write_files(const FolderFiles& folders) {
-  OutputGroup outputs;
+  std::vector<std::unique_ptr<MadeFolders>> made;
+  OutputGroup outputs;  // its unfinished files go before their folders
   for (const auto& [folder, files] : folders) {
+    made.push_back(std::make_unique<MadeFolders>(folder, folder));
     for (const NamedBytes& file : files) {
       outputs.open((fs::path(folder) / file.name).string()).write(file.bytes);
     }
   }
   outputs.commit();
+  for (const auto& folder : made) folder->keep();
   for (const auto& [folder, files] : folders) {
     for (const NamedBytes& file : files) {
       if (!file.executable) continue;

@@ -31,7 +31,8 @@ NamedBytes vector_manifest(const VectorSet& set, const std::vector<NamedBytes>& 
 // Files by folder.
 using FolderFiles = std::vector<std::pair<std::string, std::vector<NamedBytes>>>;
 
-// Writes all of them, or none when one cannot be written. Throws Error(kFileWrite).
+// Writes all of them and makes folders that are missing, or nothing when one cannot be written.
+// Throws Error(kFileWrite).
 void write_files(const FolderFiles& folders);
 
 // Every set that a file holds or a manifest (.json) names, each with its place for messages. CRCs
