@@ -4,8 +4,10 @@
 
 The faults are all in one build, each chosen by a plusarg; without one the copy must pass.
 """
+import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -14,6 +16,7 @@ import unittest
 
 ROOT = pathlib.Path(os.environ["HALFSPACE_SOURCE"])
 LIBRARY = os.environ["HALFSPACE_LIBRARY"]
+PROGRAM = os.environ["HALFSPACE"]
 RUN = ROOT / "testbench/dpi/run.py"
 
 # file, line (unique in the file), what it becomes when `fault` is 1, what the scoreboard says
@@ -85,6 +88,54 @@ class Dpi(unittest.TestCase):
                 self.assertIn(word, told)
         done = self.run_example(*options, "+fault0_")
         self.assertEqual(done.returncode, 1, "the command's own exit status")
+
+    def test_any_viewport_and_frames_without_a_reset(self):
+        """A frame smaller than the example's usual one, short edges, a guard band of its size."""
+        for number, free in enumerate((
+                {"preset": "tiny", "viewport_bits": 7},
+                {"preset": "tiny", "viewport_bits": 5, "guard_bits": 5, "extent_bits": 3,
+                 "samples": 2})):
+            config = self.top / f"{number}.json"
+            config.write_text(json.dumps(free))
+            work = self.top / f"work{number}"
+            done = self.run_example(config, "--program", PROGRAM, "--work", work,
+                                    "--triangles", 300)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            again = subprocess.run([work / "scoreboard", "+triangles=300", "+no_reset"],
+                                   capture_output=True, text=True, timeout=60, check=False)
+            self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
+            self.assertEqual(done.stdout.splitlines()[0], again.stdout.splitlines()[0])
+            self.assertRegex(again.stdout, r"600 triangles, [1-9]\d{2,} tiles")
+
+    def test_what_no_reset_parts_is_compared_too(self):
+        faulty_copy(self.top / "rtl")
+        done = self.run_example("tiny", "--rtl", self.top / "rtl", "--work", self.top / "work")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        # A lost clock that only a stalled output shows: the second frame's.
+        run = subprocess.run([self.top / "work/scoreboard", "+fault6_", "+no_reset"],
+                             capture_output=True, text=True, timeout=60, check=False)
+        self.assertNotEqual(run.returncode, 0)
+        self.assertIn("clock", run.stdout + run.stderr)
+
+    def test_no_comparison_takes_an_x_for_equal(self):
+        """Verilator knows no X; other simulators do."""
+        text = (ROOT / "testbench/dpi/hs_scoreboard.sv").read_text()
+        code = re.sub(r"//.*", "", text)
+        for port in ("coverage_i", "triangle_i", "frame_i"):
+            self.assertNotRegex(code, rf"{port}[\w.\[\]*:+ ]*\s(!=|==)\s", port)
+        for field in ("x", "y", "tag", "mask"):
+            self.assertRegex(code, rf"coverage_i\.{field}\S*(\s\+: hs_pkg::LANES\])? !== ", field)
+        self.assertRegex(code, r"\$isunknown\(triangle_i\)")
+        for port in ("in_valid_i", "in_ready_i", "out_valid_i", "out_ready_i"):
+            self.assertRegex(code, rf"\$isunknown\(\{{[^}}]*{port}", port)
+
+    def test_configurations_that_are_none_are_refused(self):
+        for text, says in (('{"samples": 3}', "HS004"), ("{", "HS002")):
+            config = self.top / "c.json"
+            config.write_text(text)
+            done = self.run_example(config, "--program", PROGRAM)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(says, done.stderr)
 
     def test_unknown_preset_is_refused(self):
         done = self.run_example("teapot")

@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // An example: hs_rasterizer with random triangles under hs_scoreboard. +triangles=N (a frame, 1000)
-// +seed=N (1). Two frames: at full speed, and with the model's stall pattern.
+// +seed=N (1). Two frames: at full speed, and with the model's stall pattern. +no_reset: no reset
+// between the two.
 module hs_scoreboard_tb;
   localparam int V = hs_pkg::VERTEX_BITS;
+  localparam int S = hs_pkg::S;
+  // The frame, in pixels: less where the configuration's greatest is smaller.
+  localparam int Most = 1 << hs_pkg::N;
+  localparam int Width = Most < 200 ? Most : 200;
+  localparam int Height = Most < 170 ? Most : 170;
+  // The greatest coordinate. With a guard band of the frame's size its end is beyond the legal one.
+  localparam int Last = (Width << S) - (hs_pkg::HAS_GUARD_BAND ? 1 : 0);
+  // Vertices 1 and 2 are this many powers of two from vertex 0 at most: half a legal edge.
+  localparam int Extent = hs_config_pkg::EXTENT_BITS;
+  localparam int Reach = Extent == 0 ? 7 + S : Extent + S - 1;
 
   logic                   clk = 1'b0;
   logic                   rst_n = 1'b0;
@@ -36,13 +47,14 @@ module hs_scoreboard_tb;
     random = random_state;
   endfunction
   function automatic int clamp(input int value);
-    clamp = value < 0 ? 0 : value > (200 << hs_pkg::S) ? (200 << hs_pkg::S) : value;
+    clamp = value < 0 ? 0 : value > Last ? Last : value;
   endfunction
   function automatic hs_pkg::triangle_t random_triangle(input int number);
     int x, y, reach;
-    x = int'(random() % (200 << hs_pkg::S));
-    y = int'(random() % (200 << hs_pkg::S));
-    reach = 1 << (2 + int'(random() % (6 + hs_pkg::S)));
+    x = int'(random() % (Width << S));
+    y = int'(random() % (Width << S));
+    reach = 2 + int'(random() % (6 + S));
+    reach = 1 << (reach < Reach ? reach : Reach);
     random_triangle.vertex0.x = V'(x);
     random_triangle.vertex0.y = V'(y);
     random_triangle.vertex1.x = V'(clamp(x + int'(random() % (2 * reach)) - reach));
@@ -53,16 +65,16 @@ module hs_scoreboard_tb;
   endfunction
 
   // Drives `count` triangles from the falling edge before clock 0 on.
-  task automatic run_frame(input int count);
+  task automatic run_frame(input int count, input bit reset);
     int              sent;
     longint unsigned clock, offer, compared;
     compared = u_scoreboard.tiles;
-    rst_n = 1'b0;
+    if (reset) rst_n = 1'b0;
     in_valid = 1'b0;
     out_ready = 1'b0;
     triangle = '0;
-    frame.width = (hs_pkg::N + 1)'(200);
-    frame.height = (hs_pkg::N + 1)'(170);
+    frame.width = (hs_pkg::N + 1)'(Width);
+    frame.height = (hs_pkg::N + 1)'(Height);
     frame.cull = hs_pkg::CULL_NONE;
     repeat (3) @(negedge clk);
     rst_n = 1'b1;
@@ -97,10 +109,10 @@ module hs_scoreboard_tb;
     if ($value$plusargs("triangles=%d", count) == 0) count = 1000;
     if ($value$plusargs("seed=%d", seed) == 0) seed = 1;
     random_state = seed == 0 ? 1 : seed;
-    run_frame(count);
+    run_frame(count, 1'b1);
     stall_probability = 0.3;
     stall_seed = longint'(seed);
-    run_frame(count);
+    run_frame(count, $test$plusargs("no_reset") == 0);
     $display("seed %0d, %0d triangles, %0d tiles: bits and clocks are the model's", seed, 2 * count,
              u_scoreboard.tiles);
     $finish;
