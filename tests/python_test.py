@@ -124,6 +124,92 @@ class Python(unittest.TestCase):
         self.assertTrue((model.color()[~hit] == 0).all())
         self.assertTrue((model.color()[hit] > 0).any(axis=-1).all())
 
+    def test_clip_space_is_projected_and_cut(self):
+        model = halfspace.Model("full")
+        model.begin_frame(64, 48)
+        # Half of the picture: clip space's left half, drawn by two triangles far beyond its sides.
+        left = np.array([[[-3, -1.5, 0, 1], [0, -1.5, 0, 1], [-3, 1.5, 0, 1]],
+                         [[0, -1.5, 0, 1], [0, 1.5, 0, 1], [-3, 1.5, 0, 1]]])
+        model.push_clip(left, tag=7)
+        np.testing.assert_array_equal(model.hits(), np.repeat([[1] * 32 + [0] * 32], 48, axis=0))
+        self.assertEqual(set(model.pull_tiles()["tag"]), {7, 8})
+        self.assertEqual(model.stats()["triangles"], 2)
+        self.assertTrue((model.color()[:, :32] == 255).all(), "white without values")
+        for values in (np.broadcast_to([10.0, 20.0, 30.0], (2, 3, 3)),
+                       np.broadcast_to([10, 20, 30, 40], (2, 3, 4))):
+            model.reset()
+            self.assertEqual(model.hits().sum(), 0)
+            model.push_clip(left, values)
+            self.assertTrue((model.color()[:, :32] == [10, 20, 30]).all())
+        np.testing.assert_array_equal(model.depth()[:, :32], model.depth()[0, 0])
+        for bad in (left[:, :, :3], left[:, :2], np.zeros(4)):
+            with self.assertRaisesRegex(ValueError, "positions"):
+                model.push_clip(bad)
+        for bad in (np.zeros((1, 3, 3)), np.zeros((2, 3, 9)), np.zeros((2, 2, 3))):
+            with self.assertRaisesRegex(ValueError, "values"):
+                model.push_clip(left, bad)
+
+    def test_shaded_vertices_and_their_fragments(self):
+        model = halfspace.Model("msaa4")
+        widths = model.config
+        model.begin_frame(16, 16, fragments=True, depth_test="less")
+        xy = np.array([[[0, 0], [16, 0], [0, 16]]]) * 256
+        w = np.full((1, 3), 1 << (widths["inverse_w_bits"] - 1))
+        colour = np.broadcast_to(np.array([200, 100, 50]) * 256, (1, 3, 3))
+        for depth, tag in ((2000, 1), (3000, 2), (1000, 3)):
+            model.push_shaded(xy, np.full((1, 3), depth * 64), w, colour, tag=tag)
+        fragments = model.pull_fragments()
+        self.assertEqual(set(fragments["tag"]), {1, 3}, "the second is behind the first")
+        self.assertEqual(len(model.pull_fragments()), 0)
+        self.assertEqual(len(fragments), 2 * (model.hits() != 0).sum() - 0)
+        self.assertTrue((fragments["color"] == [200, 100, 50]).all())
+        self.assertTrue((fragments["passed"] & ~fragments["covered"] == 0).all())
+        first = fragments[fragments["tag"] == 1]
+        for sample in range(4):
+            inside = first["passed"] >> sample & 1 == 1
+            self.assertTrue((first["depth"][inside, sample] == 2000).all())
+            self.assertTrue((first["depth"][~inside, sample] == 0).all())
+        self.assertEqual(set(np.unique(model.depth())), {1000, 2**24 - 1})
+        for wrong in ({"depth": np.full((1, 3), 2**31)}, {"inverse_w": np.zeros((1, 3), int)},
+                      {"xy": xy + 2**40}, {"values": np.full((1, 3, 3), 65281)},
+                      {"depth": np.zeros((2, 3), int)}):
+            given = {"xy": xy, "depth": np.zeros((1, 3), int), "inverse_w": w, "values": colour}
+            with self.assertRaises(ValueError):
+                model.push_shaded(**{**given, **wrong})
+        with self.assertRaises(TypeError):
+            model.push_shaded(xy, np.zeros((1, 3)), w, colour)
+
+    def test_a_scene_has_the_programs_camera(self):
+        def hits(**camera):
+            model = halfspace.Model("full")
+            model.begin_frame(160, 120)
+            model.draw_scene(str(SCENES / "teapot.obj"), **camera)
+            return model.hits(), model.color()
+
+        program = os.environ["HALFSPACE"]
+        for camera in ({"eye": (0, 2, 9), "target": (0, 1, 0), "fov": 30},
+                       {"up": (1, 1, 0), "ortho": 6}, {"flat": True}):
+            words = []
+            for name, value in camera.items():
+                text = ",".join(map(str, value)) if isinstance(value, tuple) else str(value)
+                words += ["--shade", "flat"] if name == "flat" else [f"--{name}", text]
+            with tempfile.TemporaryDirectory() as folder:
+                stats = pathlib.Path(folder) / "s.json"
+                subprocess.run([program, "render", SCENES / "teapot.obj", "--size", "160x120",
+                                *words, "--out", pathlib.Path(folder) / "t.png", "--stats", stats],
+                               check=True, timeout=120)
+                crc = json.loads(stats.read_text())["coverage_crc32"]
+            self.assertEqual(zlib.crc32(hits(**camera)[0].tobytes()), crc, camera)
+        self.assertFalse((hits(flat=True)[1] == hits()[1]).all())
+
+    def test_the_stall_pattern_is_the_models(self):
+        model = halfspace.Model("tiny")
+        model.begin_frame(64, 64, stall=0.5, seed=3)
+        model.push(self.triangles(1)[:, :, :] % 256)
+        self.assertEqual(model.triangle_clocks()["accepted"][0], halfspace.stall_gap(0.5, 3, 0))
+        self.assertEqual({halfspace.stall_ready(0.5, 3, c) for c in range(50)}, {False, True})
+        self.assertTrue(all(halfspace.stall_ready(0, 3, c) for c in range(50)))
+
     def test_configuration_has_its_widths(self):
         self.assertEqual(halfspace.Model('{"preset": "full", "samples": 4}').config,
                          halfspace.Model("msaa4").config)
