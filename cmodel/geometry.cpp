@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 #include "fixed.hpp"
+#include "polygon_pieces.hpp"
 #include "uncut_plane.hpp"
 
 namespace halfspace {
@@ -16,12 +16,6 @@ bool representable(const glm::dvec4& p) {
   // Written so that a NaN fails.
   return std::abs(p.x) <= kMaxMagnitude && std::abs(p.y) <= kMaxMagnitude &&
          std::abs(p.z) <= kMaxMagnitude && std::abs(p.w) <= kMaxMagnitude;
-}
-
-// The doubled area, subpixels^2.
-std::int64_t doubled_area(const Point& a, const Point& b, const Point& c) {
-  return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) -
-         (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
 }
 
 // value rounded half up, 0..maximum; NaN gives 0.
@@ -159,40 +153,28 @@ void GeometryStage::emit(const Projected& a, const Projected& b, const Projected
   ++stats_.triangles_out;
 }
 
-// Snapping can dent a convex polygon by a fraction of a subpixel. A fan whose pieces all face the
-// same way covers every point once; a dent at one vertex leaves the fan around that vertex. Which
-// vertex that is, and the order of the pieces, do not depend on where the polygon begins nor on the
-// way it winds.
+// Snapping can dent or fold the polygon: see polygon_pieces().
 void GeometryStage::emit_polygon(const ClipPolygon& polygon, const UncutPlane& plane,
                                  std::uint32_t tag, std::vector<ShadedTriangle>& out) {
   std::array<Projected, std::tuple_size_v<decltype(polygon.vertex)>> projected;
-  std::array<std::size_t, std::tuple_size_v<decltype(polygon.vertex)>> sorted{};
+  std::array<Point, std::tuple_size_v<decltype(polygon.vertex)>> ring;
   const auto count = static_cast<std::size_t>(polygon.count);
-  for (std::size_t i = 0; i < count; ++i) projected[i] = project(polygon.vertex[i]);
-  take_plane(plane, std::span(projected).first(count));
-  const auto at = [&](std::size_t i) -> const Projected& { return projected[i % count]; };
-  const auto piece_area = [&](std::size_t apex, std::size_t i) {
-    return doubled_area(at(apex).point, at(apex + i).point, at(apex + i + 1).point);
-  };
-  const auto before = [&](std::size_t i, std::size_t j) { return key(at(i)) < key(at(j)); };
-
-  std::iota(sorted.begin(), sorted.begin() + polygon.count, std::size_t{0});
-  std::sort(sorted.begin(), sorted.begin() + polygon.count, before);
-  std::size_t apex = sorted[0];
-  for (std::size_t candidate = 0; candidate < count; ++candidate) {
-    bool positive = false, negative = false;
-    for (std::size_t i = 1; i + 1 < count; ++i) {
-      positive = positive || piece_area(sorted[candidate], i) > 0;
-      negative = negative || piece_area(sorted[candidate], i) < 0;
-    }
-    if (positive && negative) continue;
-    apex = sorted[candidate];
-    break;
+  const auto before = [](const Projected& a, const Projected& b) { return key(a) < key(b); };
+  for (std::size_t i = 0; i < count; ++i) {
+    projected[i] = project(polygon.vertex[i]);
+    ring[i] = projected[i].point;
   }
-  const bool backwards = before(apex + count - 1, apex + 1);
-  for (std::size_t n = 1; n + 1 < count; ++n) {
-    const std::size_t i = backwards ? count - 1 - n : n;
-    if (piece_area(apex, i) != 0) emit(at(apex), at(apex + i), at(apex + i + 1), tag, out);
+  if (!take_plane(plane, std::span(projected).first(count))) {
+    // Of vertices at one point the values of one, whichever comes first.
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t j = 0; j < count; ++j) {
+        if (ring[i] == ring[j]) projected[i] = std::min(projected[i], projected[j], before);
+      }
+    }
+  }
+  const Pieces pieces = polygon_pieces(std::span(ring).first(count));
+  for (const Piece& piece : pieces.all()) {
+    emit(projected[piece[0]], projected[piece[1]], projected[piece[2]], tag, out);
   }
 }
 

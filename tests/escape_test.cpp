@@ -23,8 +23,7 @@ TEST(Escape, ShellWordIsOneWord) {
 }
 
 TEST(Printable, IsOneLineThatMovesNoCursor) {
-  EXPECT_EQ(printable("a\x1b[31mb\x7f\tc\nforged"),
-            "a\\x1b[31mb\\x7f\\x09c\\x0aforged");
+  EXPECT_EQ(printable("a\x1b[31mb\x7f\tc\nforged"), "a\\x1b[31mb\\x7f\\x09c\\x0aforged");
   EXPECT_EQ(printable("Gr\xc3\xbc\xc3\x9f"
                       "e \xe2\x82\xac"),
             "Gr\xc3\xbc\xc3\x9f"

@@ -13,7 +13,7 @@
 #include "engines/coverage/coverage_engine.hpp"
 #include "engines/frame/frame_engine.hpp"
 #include "frame_compare.hpp"
-#include "io/mesh.hpp"
+#include "meshes/mesh.hpp"
 #include "vectors/generators.hpp"
 
 namespace halfspace {

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "io/error.hpp"
-#include "io/mesh.hpp"
+#include "meshes/mesh.hpp"
 
 namespace halfspace {
 

@@ -12,9 +12,9 @@
 
 #include "../io/error.hpp"
 #include "../io/fit_range.hpp"
-#include "../io/mesh.hpp"
-#include "../io/simplify.hpp"
 #include "../io/tcov.hpp"
+#include "../meshes/mesh.hpp"
+#include "../meshes/simplify.hpp"
 #include "progress.hpp"
 #include "vertex_cache.hpp"
 

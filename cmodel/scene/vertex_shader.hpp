@@ -8,7 +8,7 @@
 
 #include "../camera.hpp"
 #include "../geometry.hpp"
-#include "../io/mesh.hpp"
+#include "../meshes/mesh.hpp"
 
 namespace halfspace {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "io/mesh.hpp"
+#include "meshes/mesh.hpp"
 
 namespace halfspace {
 

@@ -8,8 +8,8 @@
 #include "interpolation.hpp"
 #include "rasterizer.hpp"
 #include "samples.hpp"
-#include "shading.hpp"
 #include "scene/progress.hpp"
+#include "shading.hpp"
 
 namespace halfspace {
 namespace {

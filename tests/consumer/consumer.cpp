@@ -10,8 +10,8 @@
 #include "camera.hpp"
 #include "geometry.hpp"
 #include "hit_count.hpp"
-#include "io/mesh.hpp"
 #include "io/tcov.hpp"
+#include "meshes/mesh.hpp"
 #include "rasterizer.hpp"
 
 using namespace halfspace;

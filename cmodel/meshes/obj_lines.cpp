@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "../scan.hpp"
+#include "../io/scan.hpp"
 
 namespace halfspace {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <span>
 
-#include "../error.hpp"
-#include "../scan.hpp"
+#include "../io/error.hpp"
+#include "../io/scan.hpp"
 #include "ply_values.hpp"
 #include "polygons.hpp"
 

@@ -7,8 +7,8 @@
 #include <glm/matrix.hpp>
 #include <set>
 
-#include "../glb.hpp"
-#include "../scan.hpp"
+#include "../io/scan.hpp"
+#include "glb.hpp"
 #include "gltf_shape.hpp"
 #include "raw_mesh.hpp"
 

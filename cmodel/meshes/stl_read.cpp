@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "../error.hpp"
+#include "../io/error.hpp"
 #include "position_set.hpp"
 #include "stl_text.hpp"
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <map>
 
-#include "../error.hpp"
-#include "../scan.hpp"
+#include "../io/error.hpp"
+#include "../io/scan.hpp"
 #include "mtl_read.hpp"
 #include "obj_lines.hpp"
 #include "polygons.hpp"

@@ -7,7 +7,7 @@
 #include <meshoptimizer.h>
 #endif
 
-#include "error.hpp"
+#include "../io/error.hpp"
 
 namespace halfspace {
 

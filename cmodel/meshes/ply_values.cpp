@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "../error.hpp"
-#include "../scan.hpp"
+#include "../io/error.hpp"
+#include "../io/scan.hpp"
 #include "raw_mesh.hpp"
 
 namespace halfspace {

@@ -6,7 +6,7 @@
 #include <bit>
 #include <limits>
 
-#include "../scan.hpp"
+#include "../io/scan.hpp"
 #include "gltf_file.hpp"
 
 namespace halfspace {

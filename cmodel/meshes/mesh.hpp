@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "left_out.hpp"
+#include "../io/left_out.hpp"
 
 namespace halfspace {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "../left_out.hpp"
+#include "../io/left_out.hpp"
 
 namespace halfspace {
 

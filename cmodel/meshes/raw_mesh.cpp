@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../scan.hpp"
+#include "../io/scan.hpp"
 
 namespace halfspace {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "../error.hpp"
-#include "../output_file.hpp"
-#include "../scan.hpp"
+#include "../io/error.hpp"
+#include "../io/output_file.hpp"
+#include "../io/scan.hpp"
 #include "side_file.hpp"
 
 namespace halfspace {

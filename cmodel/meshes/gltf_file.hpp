@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "../error.hpp"
+#include "../io/error.hpp"
 
 namespace halfspace {
 

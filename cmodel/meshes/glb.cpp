@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "glb.hpp"
 
-#include "error.hpp"
+#include "../io/error.hpp"
 
 namespace halfspace {
 namespace {

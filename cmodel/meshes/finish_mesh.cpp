@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "../error.hpp"
-#include "../scan.hpp"
+#include "../io/error.hpp"
+#include "../io/scan.hpp"
 #include "crease_normals.hpp"
 #include "position_set.hpp"
 #include "raw_mesh.hpp"

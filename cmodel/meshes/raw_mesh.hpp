@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "../mesh.hpp"
+#include "mesh.hpp"
 
 namespace halfspace {
 

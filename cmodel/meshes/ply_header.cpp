@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "../error.hpp"
-#include "../scan.hpp"
+#include "../io/error.hpp"
+#include "../io/scan.hpp"
 
 namespace halfspace {
 namespace {

@@ -7,9 +7,9 @@
 #include <new>
 #include <utility>
 
-#include "error.hpp"
-#include "meshes/raw_mesh.hpp"
-#include "output_file.hpp"
+#include "../io/error.hpp"
+#include "../io/output_file.hpp"
+#include "raw_mesh.hpp"
 
 namespace halfspace {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "../output_file.hpp"
-#include "../scan.hpp"
+#include "../io/output_file.hpp"
+#include "../io/scan.hpp"
 #include "side_file.hpp"
 
 namespace halfspace {
