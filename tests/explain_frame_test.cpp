@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -115,7 +116,7 @@ TEST(Explain, WinnerOfEachOfFourSamplesIsTheDepthTests) {
   const FrameState frame{50, 50, Cull::kNone};
   const auto scene = random_scene(kSeed, 300, frame, config);
   std::vector<std::int64_t> winner(4 * 50 * 50, -1);
-  std::vector<std::uint32_t> nearest(winner.size(), ~0u);
+  std::vector<std::int32_t> nearest(winner.size(), std::numeric_limits<std::int32_t>::max());
   for (const ShadedTriangle& t : scene) {
     RasterStats stats;
     rasterize(t.triangle, frame, config, stats, [&](const CoverageTile& tile) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,9 @@ std::int64_t turn(const Point& a, const Point& b, const Point& c) {
 }
 
 std::string text(const Points& ring) {
-  std::string out;
-  for (const Point& p : ring) out += "(" + std::to_string(p.x) + "," + std::to_string(p.y) + ")";
-  return out;
+  std::ostringstream out;
+  for (const Point& p : ring) out << '(' << p.x << ',' << p.y << ')';
+  return out.str();
 }
 
 std::vector<Corners> corners(const Points& ring) {
