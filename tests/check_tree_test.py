@@ -24,6 +24,8 @@ FAULTS = [
     ("cmodel/coverage.cpp", '"half_plane_grid.hpp"', '"fixed.hpp"', "no longer includes half_plane"),
     ("cmodel/fixed.cpp", "<cstdio>", "<iostream>", "no I/O"),
     ("cmodel/io/png_file.cpp", '"error.hpp"', '"../scene/scene.hpp"', "no arrow from cmodel/io"),
+    ("cmodel/io/meshes/finish_mesh.cpp", '"../error.hpp"', '"../../scene/scene.hpp"',
+     "no arrow from cmodel/io"),
     ("testbench/oracle/oracle.cpp", '"oracle.hpp"', '"fixed.hpp"', "no arrow from testbench/oracle"),
     ("cmodel/scene/scene.hpp", "class Scene {", "class Progress {", "both define halfspace::Progr"),
     ("testbench/lab/CMakeLists.txt", "  suites.cpp", "  ../cli/pictures.cpp", "of another folder"),
