@@ -77,8 +77,6 @@ ARROWS = {
                       "testbench/vectors", "testbench/methods", "testbench/fit", "testbench/rtl",
                       "testbench/bench", "testbench/lab"),
 }
-# Folders that are one with the folder above them, to keep its list of files short.
-PARTS = {"cmodel/io/meshes": "cmodel/io"}
 NOT_IN_CORE = {"thread", "mutex", "atomic", "future", "condition_variable", "iostream", "fstream",
                "sstream", "filesystem"}
 # Macros with arguments: where a function cannot do it.
@@ -166,16 +164,14 @@ def arrows(tree):
     sources = tree.match(r"(cmodel|testbench)/.*\.([ch]pp|[ch])")
     have, used = set(sources), {folder: set() for folder in ARROWS}
     for path in sources:
-        at_path = path.rpartition("/")[0]
-        folder = PARTS.get(at_path, at_path)
+        folder = path.rpartition("/")[0]
         if folder not in ARROWS:
             yield f"{path}: folder {folder} is not in ARROWS"
             continue
         for header in re.findall(r'^#include "([^"]+)"', tree.text(path), re.M):
             places = [posixpath.normpath(f"{at}/{header}") for at in
-                      (at_path, "cmodel", "testbench", "cmodel/capi")]
+                      (folder, "cmodel", "testbench", "cmodel/capi")]
             to = next((p.rpartition("/")[0] for p in places if p in have), folder)
-            to = PARTS.get(to, to)
             used[folder].add(to)
             if to != folder and to not in ARROWS[folder]:
                 yield f"{path} includes {header}: no arrow from {folder} to {to}"
