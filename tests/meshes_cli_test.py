@@ -52,15 +52,14 @@ class Meshes(Program):
             self.assertLessEqual(worst, 1)
 
     def test_mirrored_nodes_show_their_outside(self):
-        for name in ("g04_negative_scale.glb", "mir_plain.gltf", "mir_x.gltf", "mir_xy.gltf",
-                     "mir_xyz.gltf"):
-            options = () if name.startswith("g") else ("--eye", "0,0,9")
-            every, _, _ = self.draw(MESHES / name, *options)
-            front, _, _ = self.draw(MESHES / name, *options, "--cull", "back")
-            if name.startswith("g"):
-                self.assertEqual(front["triangles_face_culled"], 12, name)
-            else:
-                self.assertEqual(front["coverage_crc32"], every["coverage_crc32"], name)
+        """A triangle that faces the eye and its copy: turned away only where z is mirrored too."""
+        for name, culled in (("mir_plain", 0), ("mir_x", 0), ("mir_xy", 0), ("mir_xyz", 1)):
+            told, _, _ = self.draw(MESHES / f"{name}.gltf", "--eye", "0,0,9", "--cull", "back")
+            self.assertEqual(told["triangles_face_culled"], culled, name)
+        cubes = MESHES / "g04_negative_scale.glb"
+        told, _, front = self.draw(cubes, "--cull", "back")
+        self.assertEqual(told["triangles_face_culled"], 12)
+        self.assertEqual(front, self.draw(cubes)[2])
 
     def test_what_is_not_in_view_is_said(self):
         cube = SCENES / "cube.gltf"
