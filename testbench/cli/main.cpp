@@ -4,24 +4,63 @@
 // comparison failed, 2 bad input or an interrupted run.
 #include <fmt/format.h>
 
+#include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <new>
+#include <stdexcept>
 #include <system_error>
 
 #include "command.hpp"
 #include "io/error.hpp"
 #include "io/interrupt.hpp"
+#include "io/output_file.hpp"
+#include "io/printable.hpp"
 #include "lab_door.hpp"
 #include "method_picture.hpp"
 #include "progress_line.hpp"
+#include "scene_file.hpp"
 
 namespace {
 
-int fail(halfspace::ErrorCode code, const std::string& text) {
-  // One line, whatever a library put into its message.
-  std::string line = text.substr(0, text.find('\n'));
-  fmt::print(stderr, "halfspace: error[HS{:03}]: {}\n", static_cast<int>(code), line);
+using halfspace::ErrorCode;
+
+int fail(ErrorCode code, const std::string& text) {
+  // One line, whatever a file or a library put into its message.
+  fmt::print(stderr, "halfspace: error[HS{:03}]: {}\n", static_cast<int>(code),
+             halfspace::printable(halfspace::with_scene_names(text)));
   return 2;
+}
+
+int fail(const std::system_error& error) {  // threads and memory, or files
+  const std::error_code code = error.code();
+  const bool memory =
+      code == std::errc::not_enough_memory || code == std::errc::resource_unavailable_try_again;
+  return memory ? fail(ErrorCode::kScene, "not enough memory")
+                : fail(ErrorCode::kFileWrite, error.what());
+}
+
+// The line of the exception that is under way, and exit status 2.
+int fail() {
+  try {
+    throw;
+  } catch (const halfspace::Error& error) {
+    return fail(error.code(), error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::kScene, "not enough memory");
+  } catch (const std::length_error&) {  // more than any memory has
+    return fail(ErrorCode::kScene, "not enough memory");
+  } catch (const std::system_error& error) {
+    return fail(error);
+  } catch (const std::exception& error) {
+    return fail(ErrorCode::kInternal, error.what());
+  }
+}
+
+// Where no handler can be reached, as in a library that does not expect to run out of memory.
+[[noreturn]] void on_terminate() {
+  if (std::current_exception()) fail();
+  std::abort();  // removes what is unfinished, and ends with status 2
 }
 
 using halfspace::Command;
@@ -63,9 +102,7 @@ const std::vector<halfspace::Subcommand> kSubcommands{
 int run(int argc, char** argv) {
   const halfspace::Action action = halfspace::parse_command_line(argc, argv, kSubcommands);
   const int status = action ? action() : 0;
-  if (std::fflush(stdout) != 0 || !std::cout.flush()) {
-    return fail(halfspace::ErrorCode::kFileWrite, "cannot write to standard output");
-  }
+  halfspace::flush_standard_output();
   return status;
 }
 
@@ -73,16 +110,11 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   halfspace::handle_interrupts();
+  std::set_terminate(on_terminate);
   halfspace::show_progress();
   try {
     return run(argc, argv);
-  } catch (const halfspace::Error& error) {
-    return fail(error.code(), error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(halfspace::ErrorCode::kScene, "not enough memory");
-  } catch (const std::system_error& error) {  // files, and standard output that takes no more
-    return fail(halfspace::ErrorCode::kFileWrite, error.what());
-  } catch (const std::exception& error) {
-    return fail(halfspace::ErrorCode::kInternal, error.what());
+  } catch (...) {
+    return fail();
   }
 }

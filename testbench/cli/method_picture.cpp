@@ -9,6 +9,7 @@
 
 #include "io/error.hpp"
 #include "io/tcov.hpp"
+#include "nearest.hpp"
 
 namespace halfspace {
 namespace {
@@ -99,8 +100,11 @@ void require_finished(const methods::Method& method, const methods::Canvas& canv
 const methods::Method& find_method(std::string_view name, std::string_view shade) {
   const methods::Method* method = methods::find(name);
   if (method == nullptr) {
+    std::vector<std::string> names;
+    for (const methods::Method& known : methods::all()) names.emplace_back(known.name);
     throw Error(ErrorCode::kMethod, "--method",
-                fmt::format("no method '{:.40}' (halfspace methods lists them)", name));
+                fmt::format("no method '{:.40}'{} (halfspace methods lists them)", name,
+                            suggestion(name, names)));
   }
   const bool attributes = shade == "gouraud" || shade == "flat" || shade == "depth";
   if (attributes && !method->attributes) {

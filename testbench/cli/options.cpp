@@ -5,9 +5,11 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
 #include "io/error.hpp"
+#include "nearest.hpp"
 
 namespace halfspace {
 
@@ -47,6 +49,11 @@ Option* Option::needs(const Option* other) {
   return this;
 }
 
+Option* Option::note(bool& given) {
+  option_->each([&given](const std::string&) { given = true; });
+  return this;
+}
+
 Command* Command::add_subcommand(const std::string& name, const std::string& help) {
   return &subcommands_.emplace_back(*app_.add_subcommand(name, help));
 }
@@ -56,13 +63,20 @@ Option* Command::add(const std::string& name, Value& value, const std::string& h
   return &options_.emplace_back(app_.add_option(name, value, help));
 }
 
+namespace {
+
+const Check kNotEmpty{
+    [](const std::string& text) { return std::string(text.empty() ? "is empty" : ""); }, ""};
+
+}  // namespace
+
 Option* Command::add_option(const std::string& name, std::string& value, const std::string& help) {
-  return add(name, value, help);
+  return add(name, value, help)->check(kNotEmpty);
 }
 
 Option* Command::add_option(const std::string& name, std::vector<std::string>& value,
                             const std::string& help) {
-  return add(name, value, help);
+  return add(name, value, help)->check(kNotEmpty);
 }
 
 Option* Command::add_option(const std::string& name, std::vector<int>& value,
@@ -116,6 +130,51 @@ Action add_absent(CLI::App& app, const std::string& name) {
   };
 }
 
+[[noreturn]] void refuse(const std::string& text) { throw Error(ErrorCode::kUsage, "", text); }
+
+std::vector<std::string> names_of(const std::vector<Subcommand>& subcommands) {
+  std::vector<std::string> names{"help"};
+  for (const Subcommand& subcommand : subcommands) names.emplace_back(subcommand.name);
+  return names;
+}
+
+[[noreturn]] void refuse_subcommand(const std::string& word,
+                                    const std::vector<Subcommand>& subcommands) {
+  refuse(fmt::format("'{:.40}' is not a subcommand{} (try --help)", word,
+                     suggestion(word, names_of(subcommands))));
+}
+
+// A word too many: an option that the command does not have, or an argument.
+[[noreturn]] void refuse_extra(const CLI::App& app, const std::string& message) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  std::vector<std::string> options;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  }
+  for (const std::string& extra : app.remaining(true)) {
+    const std::string word = extra.substr(0, extra.find('='));
+    if (!word.starts_with('-')) continue;
+    refuse(fmt::format("{:.40} is not an option of {}{} (try --help)", word, command.get_name(),
+                       suggestion(word, options)));
+  }
+  refuse(message + " (try --help)");
+}
+
+// "help" and "help SUBCOMMAND" as the options that they stand for.
+std::vector<std::string> words_of(int argc, const char* const* argv,
+                                  const std::vector<Subcommand>& subcommands) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.empty() || words[0] != "help") return words;
+  if (words.size() == 1) return {"--help"};
+  const std::vector<std::string> names = names_of(subcommands);
+  if (std::find(names.begin(), names.end(), words[1]) == names.end()) {
+    refuse_subcommand(words[1], subcommands);
+  }
+  if (words[1] == "help") return {"--help"};
+  return {words[1], "--help"};
+}
+
 }  // namespace
 
 Action parse_command_line(int argc, const char* const* argv,
@@ -130,20 +189,27 @@ Action parse_command_line(int argc, const char* const* argv,
     const auto& [name, add] = subcommand;
     actions.emplace_back(name, add == nullptr ? add_absent(app, name) : add(program));
   }
+  std::vector<std::string> words = words_of(argc, argv, subcommands);
+  const std::string first = words.empty() ? "" : words[0];
+  std::reverse(words.begin(), words.end());  // as the library wants them
   try {
-    app.parse(argc, argv);
+    app.parse(words);
   } catch (const CLI::Success& said) {  // --help, --version
-    app.exit(said);
+    std::ostringstream text;
+    app.exit(said, text, text);
+    fmt::print("{}", text.str());
     return {};
   } catch (const CLI::RequiredError& error) {
     // CLI11 takes a word that is no subcommand for a missing one.
-    if (app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-') {
-      throw Error(ErrorCode::kUsage, "",
-                  fmt::format("'{:.40}' is not a subcommand (try --help)", argv[1]));
+    if (app.get_subcommands().empty() && !first.empty()) {
+      if (!first.starts_with('-')) refuse_subcommand(first, subcommands);
+      refuse_extra(app, error.what());
     }
-    throw Error(ErrorCode::kUsage, "", std::string(error.what()) + " (try --help)");
+    refuse(std::string(error.what()) + " (try --help)");
+  } catch (const CLI::ExtrasError& error) {
+    refuse_extra(app, error.what());
   } catch (const CLI::ParseError& error) {
-    throw Error(ErrorCode::kUsage, "", std::string(error.what()) + " (try --help)");
+    refuse(std::string(error.what()) + " (try --help)");
   }
   for (auto& [name, action] : actions) {
     if (app.got_subcommand(name)) return std::move(action);

@@ -34,6 +34,7 @@ class Option {
   Option* take_last();  // given several times: the last counts
   Option* excludes(const Option* other);
   Option* needs(const Option* other);
+  Option* note(bool& given);  // true once the option is on the command line; must outlive parsing
 
  private:
   friend class Command;
@@ -49,7 +50,8 @@ class Command {
 
   // What is returned lives as long as this command.
   Command* add_subcommand(const std::string& name, const std::string& help);
-  // name: "--name", or "NAME" of an argument. The value must outlive the parsing.
+  // name: "--name", or "NAME" of an argument. The value must outlive the parsing. Text may not be
+  // empty: it would mean that the option was not given.
   Option* add_option(const std::string& name, std::string& value, const std::string& help);
   Option* add_option(const std::string& name, std::vector<std::string>& value,
                      const std::string& help);
@@ -82,7 +84,8 @@ struct Subcommand {
 };
 
 // Reads the command line; the action of the subcommand that it chooses. Without one: --help or
-// --version was printed on standard output. Throws Error(kUsage).
+// --version was printed on standard output, as for "help" and "help SUBCOMMAND". Throws
+// Error(kUsage), with the name that is nearest to one that does not exist.
 Action parse_command_line(int argc, const char* const* argv,
                           const std::vector<Subcommand>& subcommands);
 

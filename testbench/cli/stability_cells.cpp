@@ -7,6 +7,7 @@
 #include "lab/lab_picture.hpp"
 #include "lab/stability.hpp"
 #include "lab_door.hpp"
+#include "nearest.hpp"
 #include "scene/progress.hpp"
 
 namespace halfspace {
@@ -18,16 +19,21 @@ const Method& find_method(const std::string& name) {
   for (const Method& method : lab::lab_methods()) {
     if (method.name == name) return method;
   }
+  std::vector<std::string> names;
+  for (const Method& method : lab::lab_methods()) names.emplace_back(method.name);
   throw Error(ErrorCode::kLabCell, "--method",
-              fmt::format("'{:.40}' is not a method (see halfspace methods)", name));
+              fmt::format("'{:.40}' is not a method{} (see halfspace methods)", name,
+                          suggestion(name, names)));
 }
 
 const lab::Suite& find_suite(const std::string& name) {
   for (const lab::Suite& suite : lab::suites()) {
     if (suite.name == name) return suite;
   }
+  std::vector<std::string> names;
+  for (const lab::Suite& suite : lab::suites()) names.emplace_back(suite.name);
   throw Error(ErrorCode::kLabCell, "--suite",
-              fmt::format("'{:.40}' is not a suite (see --list)", name));
+              fmt::format("'{:.40}' is not a suite{} (see --list)", name, suggestion(name, names)));
 }
 
 }  // namespace
