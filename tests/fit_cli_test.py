@@ -128,9 +128,9 @@ class FitCli(Program):
 
     def test_what_cannot_be_is_refused(self):
         fit = ["fit", TEAPOT, "--size", "160x120", "--out", self.out / "c.json"]
-        self.refuse("HS023", *fit, "--target", "65px/clk", says="px/clk")
+        self.refuse("HS023", *fit, "--throughput", "65px/clk", says="px/clk")
         self.refuse("HS023", *fit, "--max-attribute-error", "0.1", says="levels")
-        self.refuse("HS001", *fit, "--target", "fast")
+        self.refuse("HS001", *fit, "--throughput", "fast")
         self.refuse("HS001", *fit, "--max-error", "100", "--subpixel-bits", "4")
         self.refuse("HS001", *fit, "--synth", says="--emit-rtl")
         self.refuse("HS001", "fit", TEAPOT, says="nothing to write")
@@ -175,8 +175,8 @@ class FitCli(Program):
         self.assertEqual({p.name for p in self.out.iterdir()}, {"bin", "c.json", "rtl", "started"})
 
     def test_a_view_of_nothing_is_refused(self):
-        away = ["--eye", "0,0,1000", "--look-at", "0,0,2000", "--size", "160x120"]
-        for more in ([], ["--orbit", 3], ["--max-error", 1000, "--target", "1px/clk"]):
+        away = ["--eye", "0,0,1000", "--target", "0,0,2000", "--size", "160x120"]
+        for more in ([], ["--orbit", 3], ["--max-error", 1000, "--throughput", "1px/clk"]):
             self.refuse("HS041", "fit", TEAPOT, *away, *more, "--out", self.out / "c.json",
                         "--emit-rtl", self.out / "rtl", says="no triangle covers a sample")
         outside = self.out / "outside.tcov"

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 #include <sstream>
+#include <utility>
 
 #include "io/error.hpp"
 #include "number_checks.hpp"
@@ -36,9 +37,9 @@ glm::dvec3 parse_vector(const std::string& text, const char* option) {
 
 }  // namespace
 
-void CameraArguments::add_to(Command& command, const std::string& look_at) {
+void CameraArguments::add_to(Command& command) {
   command.add_option("--eye", eye, "Camera position, world units")->type_name("X,Y,Z");
-  command.add_option(look_at, target, "Point looked at, world units")->type_name("X,Y,Z");
+  command.add_option("--target", target, "Point looked at, world units")->type_name("X,Y,Z");
   command.add_option("--up", up, "Direction that is up in the picture")->type_name("X,Y,Z");
   command.add_option("--fov", fov, "Vertical field of view, degrees (default 40)")
       ->check(above_zero());
@@ -74,6 +75,18 @@ CameraOptions CameraArguments::options() const {
     if (ortho > 0) camera.ortho_height = ortho;
   }
   return camera;
+}
+
+std::vector<std::string> CameraArguments::given() const {
+  std::vector<std::string> names;
+  for (const auto& [name, is] : {std::pair{"--eye", !eye.empty()},
+                                 {"--target", !target.empty()},
+                                 {"--up", !up.empty()},
+                                 {"--fov", fov != 0},
+                                 {"--ortho", ortho != -1}}) {
+    if (is) names.emplace_back(name);
+  }
+  return names;
 }
 
 std::string CameraArguments::text() const {

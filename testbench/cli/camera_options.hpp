@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "camera.hpp"
 #include "options.hpp"
@@ -18,10 +19,11 @@ struct CameraArguments {
   double fov = 0;               // degrees, vertical; 0: the default
   double ortho = -1;            // picture height in world units, 0 to fit; -1: perspective
 
-  // look_at: what --target is called.
-  void add_to(Command& command, const std::string& look_at = "--target");
+  void add_to(Command& command);
   // Throws Error(kUsage) naming the option.
   CameraOptions options() const;
+  // Names of those that were given.
+  std::vector<std::string> given() const;
   // The same as options of a command line, each with a space before it.
   std::string text() const;
 };

@@ -16,9 +16,12 @@
 #include "io/config_json.hpp"
 #include "io/error.hpp"
 #include "io/escape.hpp"
+#include "io/input_files.hpp"
 #include "io/output_file.hpp"
 #include "io/source_tree.hpp"
+#include "manners.hpp"
 #include "number_checks.hpp"
+#include "scene_file.hpp"
 #include "scene_options.hpp"
 
 namespace halfspace {
@@ -28,7 +31,7 @@ namespace fs = std::filesystem;
 
 struct FitArguments {
   std::vector<std::string> scenes;
-  std::string size, out, emit, report, target;
+  std::string size, format, out, emit, report, throughput;
   std::string source = folder_with("rtl/rtl.f").string();
   std::string cull = "none";
   CameraArguments camera;
@@ -48,7 +51,8 @@ std::vector<FitView> open_views(const FitArguments& a, double simplify_px) {
   const FrameSize size = a.size.empty() ? FrameSize{640, 480} : parse_size(a.size);
   std::vector<FitView> views;
   for (const std::string& path : a.scenes) {
-    std::shared_ptr<const Scene> scene = noted(open_scene(path, a.case_id, size, a.camera.options(),
+    const std::string file = scene_file(path, path == kStandardStream ? a.format : "");
+    std::shared_ptr<const Scene> scene = noted(open_scene(file, a.case_id, size, a.camera.options(),
                                                           Lighting::kGouraud, a.views, simplify_px),
                                                path);
     const std::vector<FitView> more = fit_views(scene, path, parse_cull(a.cull));
@@ -67,12 +71,31 @@ FitOptions fit_options(const FitArguments& a) {
   require_legal(options.base, "fit");
   if (a.max_error >= 0) options.max_error = a.max_error;
   if (a.max_attribute_error >= 0) options.max_attribute_error = a.max_attribute_error;
-  if (!a.target.empty()) options.target = parse_target(a.target);
+  if (!a.throughput.empty()) options.target = parse_target(a.throughput);
   options.curves = !a.report.empty();
   return options;
 }
 
+// Whether the camera and the frame of the command line are of no scene.
+void say_without_effect(const FitArguments& a) {
+  if (!std::all_of(a.scenes.begin(), a.scenes.end(), is_tcov)) return;
+  say_no_camera(a.size, a.camera, a.views);
+  if (a.simplify > 0) say_no_effect("--simplify", kTcovHasNoCamera);
+}
+
 void check(const FitArguments& a) {
+  const bool reads_input = std::count(a.scenes.begin(), a.scenes.end(), kStandardStream) != 0;
+  if (reads_input && !a.emit.empty()) {
+    throw Error(ErrorCode::kUsage, "--emit-rtl",
+                "cosim.sh draws the scenes again: not of standard input (-)");
+  }
+  if (!reads_input && !a.format.empty()) scene_file(a.scenes.front(), a.format);  // refuses
+  for (const std::string& scene : a.scenes) note_input(scene);
+  for (const char* unit : {"px/clk", "fps@"}) {
+    if (a.camera.target.find(unit) == std::string::npos) continue;
+    throw Error(ErrorCode::kUsage, "--target",
+                "is the point that the camera looks at: a throughput is --throughput");
+  }
   if (a.max_error >= 0 && a.subpixel_bits >= 0) {
     throw Error(ErrorCode::kUsage, "--subpixel-bits", "--max-error chooses them: give one");
   }
@@ -135,16 +158,13 @@ std::string command_text(const FitArguments& a) {
     text += fmt::format(" --max-attribute-error {}", a.max_attribute_error);
   }
   if (a.subpixel_bits >= 0) text += fmt::format(" --subpixel-bits {}", a.subpixel_bits);
-  if (!a.target.empty()) text += " --target " + a.target;
+  if (!a.throughput.empty()) text += " --throughput " + a.throughput;
   if (a.samples != 1) text += fmt::format(" --samples {}", a.samples);
   if (a.views != 1) text += fmt::format(" --orbit {}", a.views);
   if (a.attributes >= 0) text += fmt::format(" --attributes {}", a.attributes);
   if (a.case_id >= 0) text += fmt::format(" --case {}", a.case_id);
   if (a.cull != "none") text += " --cull " + a.cull;
-  std::string camera = a.camera.text();
-  const std::size_t at = camera.find(" --target ");
-  if (at != std::string::npos) camera.replace(at, 9, " --look-at");
-  return text + camera;
+  return text + a.camera.text();
 }
 
 // --cosim: false when the RTL and the model differ, which cosim has said.
@@ -160,8 +180,17 @@ bool run_cosim_script(const FitArguments& a, FitReport& report) {
   throw Error(ErrorCode::kFitTool, "--cosim", (folder / "cosim.sh").string() + " failed");
 }
 
+void say_summary(const FitArguments& a, const FitReport& report) {
+  std::FILE* out = talk({a.out});
+  fmt::print(out, "{}", fit_summary(report));
+  if (!a.out.empty()) fmt::print(out, "wrote {}\n", a.out);
+  if (!a.emit.empty()) fmt::print(out, "wrote {0}: RTL, and {0}/cosim.sh to check it\n", a.emit);
+  if (!a.report.empty()) fmt::print(out, "wrote {}/index.html\n", a.report);
+}
+
 int run_fit(const FitArguments& a) {
   check(a);
+  say_without_effect(a);
   const FitOptions options = fit_options(a);
   FitOutputs outputs(a.out, a.report, a.emit, a.source);
   const std::vector<FitView> views = open_views(a, 0);
@@ -175,16 +204,12 @@ int run_fit(const FitArguments& a) {
                    .measured_full = {},
                    .cosim = {}};
   if (a.simplify > 0) report.lod = compare_lod(views, open_views(a, a.simplify));
-  outputs.write(report, emit_runs(a));
-  if (a.synth) {
+  if (a.synth) {  // takes minutes: what is known is in place before
+    outputs.write(report, emit_runs(a));
     synthesise(a, report);
-    outputs.rewrite(report);
   }
-  fmt::print("{}", fit_summary(report));
-  if (!a.out.empty()) fmt::print("wrote {}\n", a.out);
-  if (!a.emit.empty()) fmt::print("wrote {0}: RTL, and {0}/cosim.sh to check it\n", a.emit);
-  if (!a.report.empty()) fmt::print("wrote {}/index.html\n", a.report);
-  std::fflush(stdout);
+  say_summary(a, report);  // before the files: they are written when this is
+  a.synth ? outputs.rewrite(report) : outputs.write(report, emit_runs(a));
   if (!a.cosim) return 0;
   const bool identical = run_cosim_script(a, report);
   outputs.rewrite(report);
@@ -215,14 +240,18 @@ Action add_fit_command(Command& program) {
                    "within this, levels of 255")
       ->check(not_negative())
       ->type_name("LEVELS");
-  command->add_option("--target", a->target, "Throughput to reach: 2.5px/clk or 60fps@100MHz");
+  command->add_option("--throughput", a->throughput,
+                      "Throughput to reach: 2.5px/clk or 60fps@100MHz");
   command->add_option("--subpixel-bits", a->subpixel_bits, "Subpixel bits (default 8)")
       ->check(whole());
-  command->add_option("--samples", a->samples, "Samples per pixel")->capture_default_str();
+  command->add_option("--samples", a->samples, "Samples per pixel")
+      ->type_name("1|2|4|8|16")
+      ->capture_default_str();
   command->add_option("--attributes", a->attributes,
                       "Attributes used (default 3, and 0 for TCOV files)");
   add_cull_option(*command, a->cull);
-  a->camera.add_to(*command, "--look-at");
+  add_format_option(*command, a->format);
+  a->camera.add_to(*command);
   command->add_option("--orbit", a->views, "Cameras around the target, all to be right for")
       ->check(whole_between(1, 4096))
       ->capture_default_str();
@@ -235,7 +264,8 @@ Action add_fit_command(Command& program) {
       ->type_name("PX");
   command->add_flag("--synth", a->synth, "Measure the area with yosys");
   command->add_flag("--cosim", a->cosim, "Run the emitted cosim.sh: lint, compare with the model");
-  command->add_option("--source", a->source, "The project's source tree");
+  command->add_option("--source", a->source, "The project's source tree")
+      ->needs(command->get_option("--emit-rtl"));
   command->footer(
       "A scene or view that was not given may be refused by the configuration (HS022).\n"
       "Example: halfspace fit tests/scenes/teapot.obj --size 320x240 --max-error 1000 "

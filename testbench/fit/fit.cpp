@@ -79,7 +79,7 @@ std::size_t choose_shape(const std::vector<FitShape>& shapes) {
   const auto& best = *std::min_element(
       shapes.begin(), shapes.end(),
       [](const FitShape& a, const FitShape& b) { return a.worst_clocks < b.worst_clocks; });
-  throw Error(ErrorCode::kFitLimit, "--target",
+  throw Error(ErrorCode::kFitLimit, "--throughput",
               fmt::format("the fastest shape makes {:.2f} px/clk, and {} clocks for the slowest "
                           "view",
                           best.pixels_per_clock(), best.worst_clocks));

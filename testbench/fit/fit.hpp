@@ -99,7 +99,8 @@ double attribute_error(const std::vector<FitView>& views, const Config& config,
 
 // --- Shape ---
 
-// --target: pixels per clock over all views, or frames per second at a clock rate for the slowest.
+// --throughput: pixels per clock over all views, or frames per second at a clock rate for the
+// slowest.
 struct FitTarget {
   double pixels_per_clock = 0;
   double frames_per_second = 0;

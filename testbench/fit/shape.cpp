@@ -74,7 +74,7 @@ FitTarget parse_target(const std::string& text) {
     good = false;
   }
   if (!good) {
-    throw Error(ErrorCode::kUsage, "--target",
+    throw Error(ErrorCode::kUsage, "--throughput",
                 fmt::format("'{:.40}' is not a number of px/clk or N fps@M MHz, such as 2.5px/clk "
                             "or 60fps@100MHz",
                             text));
