@@ -12,6 +12,7 @@ PROGRAM = os.environ["HALFSPACE"]
 TESTS = pathlib.Path(os.environ["HALFSPACE_TESTS"])
 SCENES = TESTS / "scenes"
 PUBLIC = TESTS / "data" / "public.tcov"
+HAS_LAB = os.environ.get("HALFSPACE_HAS_LAB") == "ON"
 HAS_RTL = os.environ.get("HALFSPACE_HAS_RTL") == "ON"
 
 
@@ -54,9 +55,10 @@ class Program(unittest.TestCase):
     def tearDown(self):
         self.folder.cleanup()
 
-    def run_program(self, *args, environment=None):
+    def run_program(self, *args, environment=None, binary=False, **more):
+        """more: as subprocess.run() takes it."""
         return subprocess.run([PROGRAM, *map(str, (*self.PREFIX, *args))], capture_output=True,
-                              text=True, timeout=300, env=environment, cwd=self.out)
+                              text=not binary, timeout=300, env=environment, cwd=self.out, **more)
 
     def succeed(self, *args):
         done = self.run_program(*args)

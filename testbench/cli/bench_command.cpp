@@ -12,6 +12,7 @@
 #include "command.hpp"
 #include "io/error.hpp"
 #include "io/output_file.hpp"
+#include "manners.hpp"
 
 namespace halfspace {
 namespace {
@@ -48,7 +49,7 @@ int run(const BenchRequest& request) {
   if (!request.out.empty()) check_writable(request.out);
   try {
     const std::vector<BenchRow> rows = run_bench(request.options);
-    fmt::print("{}", bench_table(rows));
+    fmt::print(talk({request.out}), "{}", bench_table(rows));
     if (!request.out.empty()) {
       write_text(request.out, bench_json(rows));
     }
@@ -69,11 +70,10 @@ Action add_bench_command(Command& program) {
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
   if (cores > 1) o.threads.push_back(cores);
   command->add_option("--out", request->out, "JSON list of rows to write");
-  command->add_option("--workload", o.workloads,
-                      "small medium large fullscreen sliver teapot bunny million (default: these), "
-                      "quad px32 px16 tile");
-  command->add_option("--engine", o.engines,
-                      "scalar bit coverage cycle rtl llvmpipe (default: all there are)");
+  command->add_option("--workload", o.workloads, "Workloads (default: all but the last four)")
+      ->type_name("small|medium|large|fullscreen|sliver|teapot|bunny|million|quad|px32|px16|tile");
+  command->add_option("--engine", o.engines, "Engines (default: all there are)")
+      ->type_name("scalar|bit|coverage|cycle|rtl|llvmpipe");
   command->add_option("--isa", o.isas, "Instruction sets (default: all of the machine)");
   command->add_option("--threads", o.threads, "Thread counts of engines that use several")
       ->capture_default_str();

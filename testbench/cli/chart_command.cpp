@@ -11,6 +11,7 @@
 #include "command.hpp"
 #include "drawing_script.hpp"
 #include "io/error.hpp"
+#include "io/input_files.hpp"
 #include "io/output_file.hpp"
 #include "lab_door.hpp"
 #include "scene_options.hpp"
@@ -48,8 +49,10 @@ int run_chart(const LabDoor& lab, const ChartOptions& options) {
   if (options.name.empty()) throw Error(ErrorCode::kUsage, "NAME", "is required (see --list)");
   const ChartKind& kind = find_chart(lab, options.name);
   if (options.out.empty()) throw Error(ErrorCode::kUsage, "--out", "is required");
+  note_input(options.scene.path);
+  const bool to_stdout = options.out == kStandardStream;
   const bool drawn = ends_with(options.out, ".svg") || ends_with(options.out, ".png");
-  if (!drawn && !ends_with(options.out, ".json")) {
+  if (!drawn && !to_stdout && !ends_with(options.out, ".json")) {
     throw Error(ErrorCode::kUsage, "--out",
                 fmt::format("'{}' does not end in .json, .svg or .png", options.out));
   }
@@ -72,10 +75,12 @@ Action add_chart_command(Command& program, const LabDoor* lab) {
   command->add_option("NAME", o->name, "Which chart: see --list");
   Option* list = command->add_flag("--list", o->list, "Name every chart and stop");
   command->add_option("--out", o->out,
-                      "File to write: .json for the data; .svg or .png need python3-matplotlib");
+                      "File to write: .json for the data, as -, standard output; .svg or .png need "
+                      "python3-matplotlib");
   o->scene.add_to(*command, "--scene");
   command->stands_alone(list);
-  for (const char* other : {"--size", "--eye", "--target", "--up", "--fov", "--ortho", "--case"}) {
+  for (const char* other :
+       {"--size", "--eye", "--target", "--up", "--fov", "--ortho", "--case", "--format"}) {
     command->get_option(other)->needs(command->get_option("--scene"));
   }
   command->footer(

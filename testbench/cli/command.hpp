@@ -56,12 +56,14 @@ struct MethodDrawing {
 // halfspace cosim: a scene or TCOV file through model and RTL, compared.
 struct CosimRequest {
   std::string in;
+  std::string format;  // of standard input
   std::string size;
   std::string stats;
   std::string trace;
   std::string cull = "none";
   double stall = 0;
   std::uint64_t seed = 1;
+  bool seed_given = false;
   int case_id = -1;
   int views = 1;
   CameraArguments camera;

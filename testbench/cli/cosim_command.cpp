@@ -5,6 +5,7 @@
 
 #include "command.hpp"
 #include "number_checks.hpp"
+#include "scene_file.hpp"
 
 namespace halfspace {
 
@@ -12,7 +13,10 @@ Action add_cosim_command(Command& program) {
   Command* command = program.add_subcommand(
       "cosim", "Run a scene through model and RTL; compare every packet's bits and clock");
   auto o = std::make_shared<CosimRequest>();
-  command->add_option("IN", o->in, "Mesh (OBJ, glTF, GLB, PLY, STL) or TCOV file")->required();
+  command
+      ->add_option("IN", o->in, "Mesh (OBJ, glTF, GLB, PLY, STL) or TCOV file; -: standard input")
+      ->required();
+  add_format_option(*command, o->format);
   command->add_option("--size", o->size, "Frame size in pixels (default 640x480)")
       ->type_name("WxH");
   o->config.add_to(*command);
@@ -20,6 +24,7 @@ Action add_cosim_command(Command& program) {
       ->capture_default_str();
   command->add_option("--seed", o->seed, "Seed of the stall pattern")
       ->check(whole())
+      ->note(o->seed_given)
       ->capture_default_str();
   command->add_option("--stats", o->stats, "JSON statistics to write");
   command->add_option("--trace", o->trace,

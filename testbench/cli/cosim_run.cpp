@@ -12,6 +12,7 @@
 #include "io/error.hpp"
 #include "io/output_file.hpp"
 #include "io/trace_formats.hpp"
+#include "manners.hpp"
 #include "rtl/cosim.hpp"
 #include "rtl/link.hpp"
 #include "rtl/rtl_trace.hpp"
@@ -100,25 +101,6 @@ nlohmann::ordered_json report(const CosimRequest& request, const Config& config,
   return json;
 }
 
-// GTKWave opens this with the handshakes already shown.
-void write_save_file(const std::string& fst, const Config& config, std::uint64_t clock) {
-  OutputFile file(std::filesystem::path(fst).replace_extension(".gtkw").string());
-  file.write(fmt::format("[dumpfile] \"{}\"\n[timestart] {}\n",
-                         std::filesystem::path(fst).filename().string(),
-                         2 * (clock > kWavesBefore ? clock - kWavesBefore : 0)));
-  for (const char* name : {"clk_i", "rst_ni", "valid_i", "ready_o", "setup_valid", "setup_ready"}) {
-    file.write(fmt::format("rasterizer.hs_rasterizer.{}\n", name));
-  }
-  file.write(
-      fmt::format("rasterizer.hs_rasterizer.link_valid[{0}:0]\n"
-                  "rasterizer.hs_rasterizer.link_ready[{0}:0]\n",
-                  config.levels() - 1));
-  for (const char* name : {"valid_o", "ready_i", "busy_o"}) {
-    file.write(fmt::format("rasterizer.hs_rasterizer.{}\n", name));
-  }
-  file.commit();
-}
-
 // Runs the frame again with waves around the difference; the name of the file.
 std::string write_waves(const Frame& frame, const Config& config, const CosimOptions& options,
                         const Mismatch& mismatch) {
@@ -132,13 +114,17 @@ std::string write_waves(const Frame& frame, const Config& config, const CosimOpt
   RtlRasterizer rtl(config, true, "cosim");
   cosim(rtl, frame.triangles, frame.state, config, traced);
   waves.commit();
-  write_save_file(path, config, mismatch.clock);
+  write_save_file(path, config, mismatch.clock > kWavesBefore ? mismatch.clock - kWavesBefore : 0);
   return path;
 }
 
 std::string replay_command(const CosimRequest& request, const Scene& scene, std::size_t index) {
-  std::string command = fmt::format("halfspace cosim {} --config {} --stall {} --seed {}",
-                                    request.in, request.config.name, request.stall, request.seed);
+  std::string command =
+      fmt::format("halfspace cosim {} --config {}", request.in, request.config.name);
+  if (!request.format.empty()) command += " --format " + request.format;
+  if (request.stall > 0) {
+    command += fmt::format(" --stall {} --seed {}", request.stall, request.seed);
+  }
   if (request.config.samples != 0) command += fmt::format(" --samples {}", request.config.samples);
   if (!request.size.empty()) command += " --size " + request.size;
   if (request.cull != "none") command += " --cull " + request.cull;
@@ -172,6 +158,8 @@ void write_traces(OutputGroup& outputs, const std::string& path, RtlRasterizer& 
   try {
     const TraceLog log = trace_rtl(rtl, frame.triangles, frame.state, stalls);
     write_trace(outputs.open(path), log);
+  } catch (const Error&) {
+    throw;
   } catch (const std::runtime_error& error) {  // an RTL that differs from the model may do anything
     fmt::print(stderr, "halfspace: note: no trace of the RTL: {}\n", error.what());
   }
@@ -200,10 +188,15 @@ bool load_frame(const Scene& scene, const CosimRequest& request, const Config& c
 std::unique_ptr<Scene> open_checked(const CosimRequest& request, const Config& config) {
   std::vector<std::string> outputs{request.stats, request.trace};
   if (is_trace_file(request.trace)) outputs.push_back(model_trace_path(request.trace));
+  const std::string in = scene_file(request.in, request.format);
   check_distinct(outputs);
   if (!request.stats.empty()) check_writable(request.stats);
+  if (request.seed_given && request.stall == 0) {
+    say_no_effect("--seed", "it is that of the stalls, and --stall is 0");
+  }
+  if (is_tcov(in)) say_no_camera(request.size, request.camera, request.views);
   std::unique_ptr<Scene> scene =
-      noted(open_scene(request.in, request.case_id, frame_size(request.size, config),
+      noted(open_scene(in, request.case_id, frame_size(request.size, config),
                        request.camera.options(), Lighting::kGouraud, request.views),
             request.in);
   check_trace(request.trace, scene->frames());
@@ -211,13 +204,15 @@ std::unique_ptr<Scene> open_checked(const CosimRequest& request, const Config& c
 }
 
 // What there is to say; the exit status.
-int say_result(const Totals& totals, const std::optional<Mismatch>& mismatch) {
+int say_result(const CosimRequest& request, const Totals& totals,
+               const std::optional<Mismatch>& mismatch) {
   if (mismatch) return 1;
   if (totals.packets == 0) {
     fmt::print(stderr, "halfspace: nothing was compared: no triangle reached the rasterizer\n");
     return 1;
   }
-  fmt::print("identical in bits and clocks: {} triangles, {} tiles, {} packets in {} clocks\n",
+  fmt::print(talk({request.stats}),
+             "identical in bits and clocks: {} triangles, {} tiles, {} packets in {} clocks\n",
              totals.stats.triangles, totals.tiles, totals.packets, totals.clocks);
   return 0;
 }
@@ -278,9 +273,12 @@ int run_cosim(const CosimRequest& request) {
     outputs.open(request.stats)
         .write(report(request, config, totals, mismatch, wall.count()).dump(2) + "\n");
   }
+  const int status = say_result(request, totals, mismatch);
+  if (waves) waves->finish();
+  const InterruptsHeld held;  // all or none
   outputs.commit();
   if (waves) waves->commit();
-  return say_result(totals, mismatch);
+  return status;
 }
 
 }  // namespace halfspace

@@ -10,11 +10,13 @@
 #include "auto_level.hpp"
 #include "command.hpp"
 #include "io/error.hpp"
+#include "io/input_files.hpp"
 #include "io/output_file.hpp"
 #include "io/stats_json.hpp"
 #include "io/tcov.hpp"
 #include "level_run.hpp"
 #include "scene/progress.hpp"
+#include "scene_file.hpp"
 
 namespace halfspace {
 namespace {
@@ -23,6 +25,7 @@ using WallClock = std::chrono::steady_clock;
 
 struct CoverageOptions {
   std::string in;
+  std::string format;  // of standard input, which needs none
   std::string out;
   std::string stats;
   std::string level = "bit";
@@ -59,11 +62,16 @@ int run_coverage(const CoverageOptions& options) {
   const Cull cull = parse_cull(options.cull);
   const Config config = options.config.load();
   require_level(level, config);
-  const std::vector<TcovCase> cases = read_tcov(options.in);
-  if (cases.empty()) throw Error(ErrorCode::kScene, options.in, "has no cases");
+  if (!options.format.empty() && options.format != "tcov") {
+    throw Error(ErrorCode::kUsage, "--format", "only TCOV files are read here");
+  }
+  const bool from_input = options.in == kStandardStream;
+  const std::string in = scene_file(options.in, from_input ? "tcov" : options.format);
   check_distinct({options.out, options.stats});
   check_writable(options.out);
   if (!options.stats.empty()) check_writable(options.stats);
+  const std::vector<TcovCase> cases = read_tcov(in, {.max_size = config.max_size(), .hits = true});
+  if (cases.empty()) throw Error(ErrorCode::kScene, options.in, "has no cases");
 
   RunStats stats;
   stats.command = "coverage";
@@ -73,10 +81,10 @@ int run_coverage(const CoverageOptions& options) {
     Progress progress("covering cases", cases.size());
     for (const TcovCase& source : cases) {
       if (automatic) {
-        add_prediction(tcov_triangles(source, config, options.in).triangles,
+        add_prediction(tcov_triangles(source, config, in).triangles,
                        {source.width, source.height, cull}, config, stats);
       }
-      results.push_back(run_case(source, level, cull, config, options.in, stats));
+      results.push_back(run_case(source, level, cull, config, in, stats));
       progress.advance();
     }
   }
@@ -99,8 +107,10 @@ Action add_coverage_command(Command& program) {
   Command* command =
       program.add_subcommand("coverage", "Compute the hit counts of a TCOV file's triangles");
   auto options = std::make_shared<CoverageOptions>();
-  command->add_option("IN", options->in, "TCOV file (coordinates in 1/256 px)")->required();
-  command->add_option("--out", options->out, "TCOV file to write")->required();
+  command->add_option("IN", options->in, "TCOV file (coordinates in 1/256 px); -: standard input")
+      ->required();
+  command->add_option("--format", options->format, "Format of standard input")->type_name("tcov");
+  command->add_option("--out", options->out, "TCOV file to write; -: standard output")->required();
   command->add_option("--stats", options->stats, "JSON statistics to write");
   add_level_option(*command, options->level);
   add_cull_option(*command, options->cull);

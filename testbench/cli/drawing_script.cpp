@@ -53,13 +53,17 @@ void draw_chart(const std::string& name, const nlohmann::ordered_json& data,
   picture.replace_filename(fmt::format("{}.partial-{}{}", whole.stem().string(), ::getpid(),
                                        whole.extension().string()));
   const std::string json = picture.string() + ".json";
-  write_text(json, data.dump() + "\n");
   const RemovedOnInterrupt data_removed(json);
+  write_text(json, data.dump() + "\n");
   const RemovedOnInterrupt picture_removed(picture.string());
   const int status = run_child({kPython, script().string(), "draw", name, json, picture.string()});
   fs::remove(json);
   std::error_code error;
-  if (status == 0) fs::rename(picture, whole, error);
+  if (status == 0) {
+    const InterruptsHeld held;
+    fs::rename(picture, whole, error);
+    if (!error && !is_removed_on_interrupt(out)) outputs_stay_on_interrupt();
+  }
   if (status != 0 || error) fs::remove(picture, error);
   if (status != 0) {
     throw Error(ErrorCode::kDrawing, out,

@@ -12,6 +12,7 @@
 #include "explain_report.hpp"
 #include "io/error.hpp"
 #include "lab_door.hpp"
+#include "manners.hpp"
 #include "method_picture.hpp"
 #include "pictures.hpp"
 #include "scene_options.hpp"
@@ -82,6 +83,7 @@ int run_explain(const LabDoor* lab, const ExplainOptions& options) {
     throw Error(ErrorCode::kInternal, "explain",
                 fmt::format("the stages and the definition disagree on triangle {}", *index));
   }
+  if (options.all && options.json) say_no_effect("--all", "--json has every triangle");
   if (options.json) {
     fmt::print("{}\n", explain_json(explainer, about).dump(1));
   } else {

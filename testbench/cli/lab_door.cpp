@@ -25,7 +25,7 @@ lab::RealScene open_real(const SceneOptions& options) {
                 fmt::format("the file has {} cases: choose one with --case", scene->frames()));
   }
   const FrameState frame = scene->frame(0, config);
-  if (is_tcov(options.path)) {
+  if (is_tcov(options.file())) {
     RunStats unused;  // a coordinate beyond the configuration is refused as render refuses it
     scene->draw(0, frame, config, unused, [](const ShadedTriangle&) {});
   }

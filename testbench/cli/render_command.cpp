@@ -14,11 +14,13 @@
 #include "choice.hpp"
 #include "command.hpp"
 #include "io/error.hpp"
+#include "io/input_files.hpp"
 #include "io/output_file.hpp"
 #include "io/png_file.hpp"
 #include "io/tcov.hpp"
 #include "io/trace_formats.hpp"
 #include "level_run.hpp"
+#include "manners.hpp"
 #include "nothing_drawn.hpp"
 #include "number_checks.hpp"
 #include "pictures.hpp"
@@ -48,6 +50,8 @@ struct RenderOptions {
   DepthOptions depth;
   std::string scissor;
   int threads = 0;
+  bool threads_given = false;
+  bool depth_test_given = false;
   std::string method;
   double simplify = 0;
   ConfigOptions config;
@@ -60,7 +64,23 @@ Shade parse_shade(const RenderOptions& options, Fidelity level) {
                 "level coverage computes no depth, colour or tile order: only --shade coverage");
   }
   if (options.shade.empty()) return Shade::kGouraud;
-  return chosen(std::span(kShadeNames), options.shade, "--shade");
+  const Shade shade = chosen(std::span(kShadeNames), options.shade, "--shade");
+  if (shade == Shade::kTiles && level != Fidelity::kBit) {
+    throw Error(
+        ErrorCode::kUsage, "--shade",
+        fmt::format("tiles are those that level bit tests: not at level {}", options.level));
+  }
+  return shade;
+}
+
+void say_without_effect(const RenderOptions& options, Fidelity level, Shade shade) {
+  const bool depth = shade != Shade::kCoverage && shade != Shade::kTiles;
+  if (options.threads_given && (level != Fidelity::kBit || !depth)) {
+    say_no_effect("--threads", "only level bit's colour and depth are drawn by several");
+  }
+  if (options.depth_test_given && !depth) {
+    say_no_effect("--depth-test", "this picture has no depth");
+  }
 }
 
 // One frame drawn: its picture, with the hit counts and the counts of work added to stats.
@@ -179,6 +199,8 @@ int run_render(const RenderOptions& options, const MethodDrawing* gallery) {
   const Shade shade = !by_method                ? parse_shade(options, level)
                       : options.shade == "flat" ? Shade::kFlat
                                                 : Shade::kGouraud;
+  if (!by_method) say_without_effect(options, level, shade);
+  require_png_name(options.out, "--out");
   const Cull cull = parse_cull(options.cull);
   const Config config = options.config.load();
   BitFrameOptions bit{options.depth.load(config), kBackground,     shade == Shade::kDepth,
@@ -188,6 +210,7 @@ int run_render(const RenderOptions& options, const MethodDrawing* gallery) {
                 "coverage is counted before it: --shade without it");
   }
   require_level(level, config);
+  note_input(options.scene.path);
   if (!options.trace.empty()) check_trace(options.trace, level);
   check_distinct({options.out, options.stats, options.trace});
   check_writable(options.out);
@@ -239,7 +262,7 @@ Action add_render_command(Command& program, const MethodDrawing* gallery) {
   Command* command = program.add_subcommand("render", "Draw a scene and write a PNG");
   auto o = std::make_shared<RenderOptions>();
   o->scene.add_to(*command);
-  command->add_option("--out", o->out, "PNG file to write")->required();
+  command->add_option("--out", o->out, "PNG file to write; -: standard output")->required();
   add_level_option(*command, o->level);
   o->config.add_to(*command);
   command->add_option("--stats", o->stats, "JSON statistics to write");
@@ -260,6 +283,8 @@ Action add_render_command(Command& program, const MethodDrawing* gallery) {
                    "Threads of level bit, 0: as many as the machine has; the picture is the same")
       ->check(whole_between(0, 256))
       ->capture_default_str();
+  command->get_option("--threads")->note(o->threads_given);
+  command->get_option("--depth-test")->note(o->depth_test_given);
   Option* method = command->add_option(
       "--method", o->method, "Draw with a method of the gallery (halfspace methods lists them)");
   for (const char* other : {"--level", "--trace", "--depth-test", "--depth-clear", "--scissor",

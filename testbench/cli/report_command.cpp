@@ -87,6 +87,7 @@ int run_report(const LabDoor& lab, const ReportOptions& options) {
   ReportData data;
   data.scene = fs::path(options.scene.path).filename().string();
   data.command = fmt::format("halfspace report {} --out {}", options.scene.path, options.out);
+  if (!options.scene.format.empty()) data.command += " --format " + options.scene.format;
   if (!options.scene.size.empty()) data.command += " --size " + options.scene.size;
   if (options.scene.case_id >= 0) data.command += fmt::format(" --case {}", options.scene.case_id);
   data.command += options.scene.camera.text();
@@ -106,8 +107,8 @@ int run_report(const LabDoor& lab, const ReportOptions& options) {
   data.stability = chart("stability");
   draw_worst(lab, options.scene, folder, data);
   write_text(folder.file("index.html"), report_html(data));
-  folder.commit();
   fmt::print("{}\n", (fs::path(options.out) / "index.html").string());
+  folder.commit();
   return 0;
 }
 

@@ -13,6 +13,7 @@
 #include "choice.hpp"
 #include "io/error.hpp"
 #include "io/printable.hpp"
+#include "manners.hpp"
 #include "number_checks.hpp"
 
 namespace halfspace {
@@ -25,11 +26,17 @@ void SceneOptions::add_to(Command& command, const std::string& name) {
       ->type_name("WxH");
   camera.add_to(command);
   command.add_option("--case", case_id, "The case of a TCOV file")->check(whole());
+  add_format_option(command, format);
 }
 
 std::unique_ptr<Scene> SceneOptions::open(const Config& config, Lighting lighting,
                                           double simplify_px) const {
-  return noted(open_scene(path, case_id, frame_size(size, config), camera.options(), lighting, 1,
+  const std::string read = file();
+  if (is_tcov(read)) {
+    say_no_camera(size, camera);
+    if (simplify_px > 0) say_no_effect("--simplify", kTcovHasNoCamera);
+  }
+  return noted(open_scene(read, case_id, frame_size(size, config), camera.options(), lighting, 1,
                           simplify_px),
                path);
 }
@@ -48,6 +55,12 @@ std::unique_ptr<Scene> noted(std::unique_ptr<Scene> scene, const std::string& pa
     fmt::print(stderr, "halfspace: note: {}: {}\n", printable(path), left_out.note());
   }
   return scene;
+}
+
+void say_no_camera(const std::string& size, const CameraArguments& camera, int views) {
+  if (!size.empty()) say_no_effect("--size", "a TCOV file has its own frames");
+  for (const std::string& option : camera.given()) say_no_effect(option, kTcovHasNoCamera);
+  if (views != 1) say_no_effect("--orbit", kTcovHasNoCamera);
 }
 
 namespace {

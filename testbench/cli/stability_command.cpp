@@ -11,6 +11,7 @@
 #include "io/output_file.hpp"
 #include "io/png_file.hpp"
 #include "lab_door.hpp"
+#include "manners.hpp"
 
 namespace halfspace {
 namespace {
@@ -32,11 +33,12 @@ void explain(const LabDoor& lab, const StabilityOptions& options) {
                 fmt::format("'{:.60}' is not METHOD/SUITE", options.explain));
   }
   if (options.picture.empty()) throw Error(ErrorCode::kUsage, "--picture", "is required");
+  require_png_name(options.picture, "--picture");
   check_writable(options.picture);
   const StabilityPicture result =
       lab.stability_picture(options.explain.substr(0, slash), options.explain.substr(slash + 1));
+  fmt::print(talk({options.picture}), "{}\n", result.text);
   write_png(options.picture, result.image);
-  fmt::print("{}\n", result.text);
 }
 
 int run_stability(const LabDoor& lab, const StabilityOptions& options) {
@@ -70,7 +72,8 @@ Action add_stability_command(Command& program, const LabDoor* lab) {
   command->add_option("--method", o->methods, "Only these methods (see halfspace methods)");
   command->add_option("--suite", o->suites, "Only these suites (see --list)");
   Option* list = command->add_flag("--list", o->list, "Name every suite and its reason, and stop");
-  command->add_option("--out", o->out, "JSON file to write, instead of a table on stdout");
+  command->add_option("--out", o->out,
+                      "JSON file to write, instead of a table on stdout; -: JSON on stdout");
   Option* explain = command->add_option("--explain", o->explain, "Draw the worst case of one cell");
   explain->type_name("METHOD/SUITE");
   command->add_option("--picture", o->picture, "PNG file for --explain");

@@ -5,10 +5,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
 #include "io/error.hpp"
+#include "io/input_files.hpp"
 #include "io/output_file.hpp"
 #include "number_checks.hpp"
 #include "vectors/vectors_bench.hpp"
@@ -63,6 +65,18 @@ void require_request(const VectorsRequest& request, const VectorMeta& meta) {
   if (!(request.stall >= 0 && request.stall <= 0.95)) {
     refuse("--stall", fmt::format("{} is out of range (0..0.95)", request.stall));
   }
+  if (request.in == kStandardStream) {
+    refuse("IN", "vectors name their source: give a file, not standard input (-)");
+  }
+  if (std::count(request.out.begin(), request.out.end(), kStandardStream) != 0) {
+    if (request.out.size() > 1 || !request.bench.empty() || !request.goal.empty()) {
+      refuse("--out", "standard output (-) takes one file and nothing else");
+    }
+    if (request.format.empty()) {
+      refuse("--out", "standard output (-) has no name to know a format by: give --format");
+    }
+  }
+  if (request.list_bins && request.goal.empty()) refuse("--list-bins", "is for --goal and --bins");
   if (request.max_tiles < 1) refuse("--max-tiles", "must be 1 or more");
   if (!request.bench.empty() && !has_rtl(meta.stage)) {
     refuse("--bench", fmt::format("stage {} has no RTL yet: write its vectors with --out",
@@ -72,6 +86,12 @@ void require_request(const VectorsRequest& request, const VectorMeta& meta) {
 
 FolderFiles outputs_of(const VectorsRequest& request, const VectorSet& set) {
   FolderFiles outputs;
+  if (request.out == std::vector<std::string>{kStandardStream}) {  // one file, and no manifest
+    const VectorFormat format = vector_format(kStandardStream, request.format);
+    outputs.push_back({"", vector_files(set, format, kStandardStream)});
+    if (format != VectorFormat::kReadmemh) return outputs;
+    refuse("--out", "readmemh makes several files: standard output (-) takes one");
+  }
   for (const std::string& out : request.out) {
     const fs::path path(out);
     const std::vector<NamedBytes> files =
@@ -99,6 +119,7 @@ int run_vectors(const VectorsRequest& request) {
   if (!request.from.empty()) read = read_vectors(request.from);
   const VectorMeta meta = read.empty() ? meta_of(request) : read.front().set.meta;
   require_request(request, meta);
+  note_input(request.in);
   check_distinct(request.out);
   for (const std::string& out : request.out) {
     vector_format(out, request.format);
@@ -115,13 +136,10 @@ int run_vectors(const VectorsRequest& request) {
                             counts.outputs, stage_name(meta.stage)));
   }
   const FolderFiles outputs = outputs_of(request, set);
-  if (!request.bench.empty()) {
-    std::error_code failed;
-    fs::create_directories(request.bench, failed);  // write_files() says what is wrong
-  }
+  const bool to_stdout = !request.out.empty() && request.out.front() == kStandardStream;
+  fmt::print(to_stdout ? stderr : stdout, "{}: {} runs, {} inputs, {} outputs\n",
+             stage_name(meta.stage), counts.runs, counts.inputs, counts.outputs);
   write_files(outputs);
-  fmt::print("{}: {} runs, {} inputs, {} outputs\n", stage_name(meta.stage), counts.runs,
-             counts.inputs, counts.outputs);
   return made.reached ? 0 : 1;
 }
 
@@ -164,9 +182,10 @@ Action add_vectors_command(Command& program) {
       ->capture_default_str();
   command->add_option("--node-level", o->node_level,
                       "Stage tile_traversal: level of the pyramid, 0 is the root");
-  command->add_option("--out", o->out, "File to write: .hex, .csv, .jsonl or .hsv; repeatable");
-  command->add_option("--format", o->format,
-                      "readmemh, csv, jsonl or binary, whatever the names end in");
+  command->add_option("--out", o->out,
+                      "File to write: .hex, .csv, .jsonl or .hsv; repeatable; -: standard output");
+  command->add_option("--format", o->format, "Format of --out, whatever the names end in")
+      ->type_name("readmemh|csv|jsonl|binary");
   command->add_option("--manifest", o->manifest,
                       "Name of the manifest, beside the files (default NAME.manifest.json)");
   command->add_option("--bench", o->bench,
@@ -191,10 +210,21 @@ Action add_vectors_command(Command& program) {
   o->camera.add_to(*command);
   Option* from = command->add_option("--from", o->from,
                                      "Vectors to write again, in other formats or as a bench");
-  for (const char* other : {"--config", "--samples", "--generate", "--stage", "--size", "--case"}) {
+  for (const char* other : {"--config", "--samples", "--generate", "--stage", "--size", "--case",
+                            "--count", "--seed", "--stall", "--cull", "--max-tiles", "--node-level",
+                            "--eye", "--target", "--up", "--fov", "--ortho"}) {
     from->excludes(command->get_option(other));  // the vectors have their own
   }
   add_bin_options(*command, *o);
+  const auto needs = [&](const char* option, const char* other) {
+    command->get_option(option)->needs(command->get_option(other));
+  };
+  for (const char* option : {"--eye", "--target", "--up", "--fov", "--ortho", "--case"}) {
+    needs(option, "IN");
+  }
+  for (const char* option : {"--tries", "--times"}) needs(option, "--goal");
+  needs("--max-tiles", "--generate");
+  for (const char* option : {"--manifest", "--format"}) needs(option, "--out");
   command->footer(
       "Exit status: 0 done, equal or goal reached; 1 --check found a difference, or bins are "
       "missed; 2 bad input.\n"

@@ -112,6 +112,7 @@ VectorSet from_generator(const VectorsRequest& request, VectorMeta meta, const F
 
 VectorSet from_scene(const VectorsRequest& request, VectorMeta meta, const FrameSize& size) {
   const Config& config = meta.config;
+  if (is_tcov(request.in)) say_no_camera(request.size, request.camera);
   const std::unique_ptr<Scene> scene = noted(
       open_scene(request.in, request.case_id, size, request.camera.options(), Lighting::kGouraud),
       request.in);
