@@ -263,8 +263,21 @@ class Package(unittest.TestCase):
         self.assertIn("render", self.complete("halfspace", ""))
         self.assertEqual(self.complete("halfspace", "rend"), ["render"])
         self.assertEqual(self.complete("/usr/bin/halfspace", "render", "--cull", "b"), ["back"])
-        self.assertEqual(self.complete("halfspace", "render", "x", "--config", ""),
-                         ["tiny", "full", "d3d", "msaa4"])
+        for option, words in (("--config", "tiny full d3d msaa4"), ("--samples", "1 2 4 8 16"),
+                              ("--shade", "gouraud flat depth coverage tiles"),
+                              ("--level", "coverage bit cycle rtl auto"),
+                              ("--depth-test", "less less_equal"),
+                              ("--format", "obj gltf glb ply stl tcov")):
+            self.assertEqual(self.complete("halfspace", "render", "x", option, ""), words.split())
+        methods = [m["name"] for m in json.loads(run(program, "methods", "--json"))]
+        self.assertGreater(len(methods), 20)
+        for command in ("render", "explain", "stability"):
+            self.assertEqual(self.complete("halfspace", command, "--method", ""), methods)
+        if (BUILD / "CMakeCache.txt").read_text().find("HALFSPACE_LAB:BOOL=ON") >= 0:
+            self.assertIn("shared_edges", self.complete("halfspace", "stability", "--suite", ""))
+            self.assertIn("ladder", self.complete("halfspace", "chart", ""))
+        self.assertIn("llvmpipe", self.complete("halfspace", "bench", "--engine", ""))
+        self.assertEqual(self.complete("halfspace", "help", "rep"), ["report"])
         self.assertEqual(self.complete("halfspace", "render", "--out", ""), [], "file names")
 
 

@@ -5,6 +5,7 @@
 Nothing is written here that --help does not say, but for the frame of the page and the exit status.
 """
 import dataclasses
+import json
 import re
 import subprocess
 import sys
@@ -19,6 +20,7 @@ class Command:
     text: str = ""
     footer: list = dataclasses.field(default_factory=list)
     sections: dict = dataclasses.field(default_factory=dict)  # heading: [(name, description)]
+    listed: dict = dataclasses.field(default_factory=dict)  # option or argument: names of a list
 
     def children(self):
         return [name for name, _ in self.sections.get("Subcommands", [])]
@@ -33,6 +35,26 @@ def read_entry(line, entries):
         entries.append((line[:COLUMN].strip(), line[COLUMN:].strip()))
     else:
         entries.append((line.strip(), ""))
+
+
+def output(program, *words):
+    """What a command prints; nothing where the build lacks what it lists."""
+    return subprocess.run([program, *words], capture_output=True, text=True, check=False).stdout
+
+
+def add_lists(program, command):
+    """Names that --help leaves to another command: its own --list, or `halfspace methods`."""
+    for section in ("Positionals", "Options"):
+        for name, text in command.sections.get(section, []):
+            if "halfspace methods" in text:
+                names = [method["name"] for method in json.loads(output(program, "methods",
+                                                                        "--json") or "[]")]
+            elif "see --list" in text:
+                lines = output(program, *command.words[1:], "--list").splitlines()
+                names = [line.split()[0] for line in lines if not line.startswith(" ")]
+            else:
+                continue
+            command.listed[name.split(" ")[0]] = names
 
 
 def read_help(program, words):
@@ -52,6 +74,7 @@ def read_help(program, words):
             read_entry(line, entries)
         elif line.strip():
             command.footer.append(line)
+    add_lists(program, command)
     if not command.usage or not command.text:
         raise SystemExit(f"help_pages.py: {' '.join(words)} --help has no usage or no description")
     below = [read_help(program, [*words, child]) for child in command.children()]
@@ -132,9 +155,10 @@ def completion(commands):
     lines += ["    esac", "  done", "  case \"$path $previous\" in"]
     for command in commands:
         for name, text in command.sections.get("Options", []):
-            if values := choices(name, text):
-                option = name.split(" ")[0].split(",")[-1]
+            option = name.split(" ")[0].split(",")[-1]
+            if values := command.listed.get(option) or choices(name, text):
                 lines.append(offer([*command.words, option], values))
+    lines.append(offer([*commands[0].words, "help"], commands[0].children()))
     lines += ["  esac", "  if [[ -z $words && $current == -* ]]; then", "    case $path in"]
     for command in commands:
         names = [part for name, _ in command.sections.get("Options", [])
@@ -143,7 +167,9 @@ def completion(commands):
     lines += ["    esac", "  elif [[ -z $words ]]; then", "    case $path in"]
     for command in commands:
         if command.children():
-            lines.append(offer(command.words, command.children()))
+            lines.append(offer(command.words, [*command.children(), "help"]))
+        elif "NAME" in command.listed:
+            lines.append(offer(command.words, command.listed["NAME"]))
     lines += ["    esac", "  fi",
               "  [[ -n $words ]] &&",
               "    mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$current\")",
