@@ -35,8 +35,8 @@ class Refusals(Program):
     def test_depth_tests_and_rectangles_that_are_none(self):
         render = ("render", TEAPOT, "--out", "a.png", "--size", "64x48")
         self.refuse("HS001", *render, "--depth-test", "nearer", says="greater_equal")
-        self.refuse("HS001", "explain", TEAPOT, "1", "1", "--depth-test", "", says="never")
-        for text in ("", "1,2", "1,2,3,4", "0,0,64x48x", "0;0,64x48", "a,0,8x8", "0,0,99999999999x1"):
+        self.refuse("HS001", "explain", TEAPOT, "1", "1", "--depth-test", "", says="empty")
+        for text in ("1,2", "1,2,3,4", "0,0,64x48x", "0;0,64x48", "a,0,8x8", "0,0,99999999999x1"):
             self.refuse("HS001", *render, "--scissor", text, says="X,Y,WIDTHxHEIGHT")
         for text in ("0,0,65x48", "0,0,64x49", "-1,0,8x8", "64,0,1x1", "0,0,0x8", "8,8,-4x4",
                      "2147483647,0,1x1"):

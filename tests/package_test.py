@@ -266,7 +266,8 @@ class Package(unittest.TestCase):
         for option, words in (("--config", "tiny full d3d msaa4"), ("--samples", "1 2 4 8 16"),
                               ("--shade", "gouraud flat depth coverage tiles"),
                               ("--level", "coverage bit cycle rtl auto"),
-                              ("--depth-test", "less less_equal"),
+                              ("--depth-test", "never less equal less_equal greater not_equal "
+                                               "greater_equal always"),
                               ("--format", "obj gltf glb ply stl tcov")):
             self.assertEqual(self.complete("halfspace", "render", "x", option, ""), words.split())
         methods = [m["name"] for m in json.loads(run(program, "methods", "--json"))]

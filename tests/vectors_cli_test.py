@@ -186,7 +186,7 @@ class Vectors(Program):
         self.refuse("HS090", *source)
         self.refuse("HS090", *source, "--out", self.out / "v.txt", says=".jsonl")
         self.refuse("HS090", *source, "--out", csv, "--format", "xml")
-        self.refuse("HS090", *source, "--out", csv, "--stage", "clip", says="or depth")
+        self.refuse("HS090", *source, "--out", csv, "--stage", "clip", says=", depth")
         self.refuse("HS090", "--generate", "round", "--out", csv, says="sliver")
         self.refuse("HS090", *source, "--out", csv, "--stall", "1")
         self.refuse("HS090", *source, "--out", csv, "--node-level", "1")

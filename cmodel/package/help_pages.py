@@ -92,7 +92,8 @@ def roff(text):
 def roff_entries(entries):
     out = []
     for name, text in entries:
-        out += [".TP", f".B {roff(name)}", roff(text) or "\\&"]
+        # A line may end after each of an option's choices.
+        out += [".TP", f".B {roff(name)}".replace("|", "|\\:"), roff(text) or "\\&"]
     return out
 
 
