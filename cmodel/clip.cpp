@@ -11,18 +11,6 @@ namespace halfspace {
 
 namespace {
 
-double plane_bound(const ClipPlane& plane, const glm::dvec4& position) {
-  return plane.axis == 3 ? plane.limit : plane.limit * position.w;
-}
-
-}  // namespace
-
-double plane_distance(const ClipPlane& plane, const glm::dvec4& position) {
-  return plane.sign * (plane_bound(plane, position) - position[plane.axis]);
-}
-
-namespace {
-
 // Where the edge meets the plane. Both weights are positive, so w, positive from the first plane
 // on, suffers no cancellation, and limits that both ends keep are kept to a few units in the last
 // place. The last step makes the limit of this plane hold exactly.

@@ -18,6 +18,7 @@ std::uint32_t depth_value(std::int32_t units, const Config& config) {
 
 GridMask depth_test(GridMask covered, const TilePlane& plane, DepthFunction function,
                     DepthTile& stored, const Config& config) {
+  const unsigned lets = passing(function);
   GridMask passed = 0;
   for (GridMask rest = covered; rest != 0; rest &= rest - 1) {
     const int lane = std::countr_zero(rest);
@@ -25,7 +26,7 @@ GridMask depth_test(GridMask covered, const TilePlane& plane, DepthFunction func
         depth_value(plane.at(lane & (config.grid() - 1), lane >> config.grid_log2), config);
     std::uint32_t& old = stored[static_cast<std::size_t>(lane)];
     const int compared = depth < old ? 0 : depth == old ? 1 : 2;
-    if ((passing(function) >> compared & 1) == 0) continue;
+    if ((lets >> compared & 1) == 0) continue;
     old = depth;
     passed |= GridMask{1} << lane;
   }

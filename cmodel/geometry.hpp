@@ -33,8 +33,13 @@ struct ClipPlane {
   double sign = 1.0;
 };
 
+inline double plane_bound(const ClipPlane& plane, const glm::dvec4& position) {
+  return plane.axis == 3 ? plane.limit : plane.limit * position.w;
+}
 // Above 0 inside.
-double plane_distance(const ClipPlane& plane, const glm::dvec4& position);
+inline double plane_distance(const ClipPlane& plane, const glm::dvec4& position) {
+  return plane.sign * (plane_bound(plane, position) - position[plane.axis]);
+}
 
 inline constexpr int kClipPlanes = 7;
 inline constexpr int kDepthPlanes = 3;  // of those, the first: w, near, far

@@ -44,7 +44,7 @@ HWY_INLINE VQuad mul_wide(VQuad a, VQuad b) {
 
 // A triangle's constants in all lanes.
 struct QuadEdges {
-  VQuad reciprocal;  // r: FrameEdges::factor is 2 r + 1
+  VQuad reciprocal;  // r: AreaReciprocal::factor is 2 r + 1
   int shift;         // of the product
   int left, right;   // of its part from bit 32 on: one of them is 0
 };
@@ -135,8 +135,9 @@ HWY_INLINE void triangle_planes(const FrameConstants& c, const FrameTriangle& tr
   const int up = kPlaneBits - c.config.inverse_w_bits;
   QuadValues value[3];
   for (std::size_t i = 0; i < 3; ++i) value[i] = load_values(*triangle.vertex[i]);
-  const QuadEdges quad{hn::Set(d, e.factor >> 1), e.shift, HWY_MAX(32 - e.shift, 0),
-                       HWY_MAX(e.shift - 32, 0)};
+  const AreaReciprocal r = frame_reciprocal(e, c);
+  const QuadEdges quad{hn::Set(d, r.factor >> 1), r.shift, HWY_MAX(32 - r.shift, 0),
+                       HWY_MAX(r.shift - 32, 0)};
   const int F = c.gradient_bits;
   const VQuad half = hn::Set(d, F > 0 ? std::uint64_t{1} << (F - 1) : 0);
   const VQuad x = hn::Set(d, static_cast<std::uint64_t>(e.x));

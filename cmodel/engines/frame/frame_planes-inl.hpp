@@ -47,7 +47,7 @@ HWY_INLINE EightRecords load_vertices(const FrameTriangle* triangle, std::size_t
 // FrameEdges of eight triangles.
 struct EightEdges {
   __m512i a0, b0, a2, b2, x, y;
-  __m512i reciprocal;          // r: FrameEdges::factor is 2 r + 1
+  __m512i reciprocal;          // r: AreaReciprocal::factor is 2 r + 1
   __m512i shift, left, right;  // as QuadEdges
 };
 

@@ -17,8 +17,7 @@ namespace halfspace {
 struct FrameEdges {
   std::int64_t a0 = 0, b0 = 0;  // of edge 0, opposite vertex 2. S.s px
   std::int64_t a2 = 0, b2 = 0;  // of edge 2, opposite vertex 1
-  std::uint64_t factor = 0;     // of AreaReciprocal, below 2^33
-  int shift = 0;                // of a product with it
+  std::int64_t area = 1;        // above 0, S.2s px^2
   std::int64_t x = 0, y = 0;    // from vertex 0 to the centre of pixel (0, 0), S.f px
 };
 
@@ -38,9 +37,7 @@ inline FrameEdges frame_edges(const FrameTriangle& triangle, const FrameConstant
   e.b0 = oriented(e.b0);
   e.a2 = oriented(e.a2);
   e.b2 = oriented(e.b2);
-  const AreaReciprocal reciprocal = area_reciprocal(oriented(area));
-  e.factor = reciprocal.factor;
-  e.shift = reciprocal.shift - c.config.subpixel_bits - c.gradient_bits;
+  e.area = oriented(area);
   const int up = c.f - c.config.subpixel_bits;
   const std::int64_t half = std::int64_t{1} << (c.f - 1);
   e.x = half - (std::int64_t{p.x} << up);
@@ -51,10 +48,16 @@ inline FrameEdges frame_edges(const FrameTriangle& triangle, const FrameConstant
 // Adding it rounds a double below 2^51 to an integer, in its low bits.
 inline constexpr double kRounder = 0x1.8p52;
 
+// What a numerator's product with the factor is shifted by: units / px, F fraction bits.
+inline AreaReciprocal frame_reciprocal(const FrameEdges& e, const FrameConstants& c) {
+  const AreaReciprocal r = area_reciprocal(e.area);
+  return {r.factor, r.shift - c.config.subpixel_bits - c.gradient_bits};
+}
+
 // The gradient of interpolation_setup() for its numerator.
-inline std::uint64_t gradient(std::int64_t numerator, const FrameEdges& e) {
+inline std::uint64_t gradient(std::int64_t numerator, const AreaReciprocal& r) {
   return static_cast<std::uint64_t>(
-      static_cast<__int128>(numerator) * static_cast<std::int64_t>(e.factor) >> e.shift);
+      static_cast<__int128>(numerator) * static_cast<std::int64_t>(r.factor) >> r.shift);
 }
 
 // A plane as the tiles want it.
@@ -98,8 +101,9 @@ inline FramePlane depth_plane(const FrameTriangle& triangle, const FrameConstant
   const auto value = [&](std::size_t i) { return std::int64_t{triangle.vertex[i]->depth}; };
   const std::int64_t d1 = value(1) - value(0);
   const std::int64_t d2 = value(2) - value(0);
-  const std::uint64_t dx = gradient(d1 * e.a2 + d2 * e.a0, e);
-  const std::uint64_t dy = gradient(d1 * e.b2 + d2 * e.b0, e);
+  const AreaReciprocal r = frame_reciprocal(e, c);
+  const std::uint64_t dx = gradient(d1 * e.a2 + d2 * e.a0, r);
+  const std::uint64_t dy = gradient(d1 * e.b2 + d2 * e.b0, r);
   return frame_plane(static_cast<std::uint64_t>(value(0)) << c.gradient_bits, dx, dy, e, c);
 }
 
