@@ -108,6 +108,7 @@ void Triangulator::cut_ears() {
   previous_.resize(count);
   gone_.assign(count, false);
   reflex_.clear();
+  waiting_.clear();
   for (std::uint32_t i = 0; i < count; ++i) {
     next_[i] = (i + 1) % count;
     previous_[i] = (i + count - 1) % count;
@@ -116,28 +117,37 @@ void Triangulator::cut_ears() {
   }
   std::sort(reflex_.begin(), reflex_.end(),
             [this](std::uint32_t a, std::uint32_t b) { return flat_[a].x < flat_[b].x; });
-  std::uint32_t corner = 0, left = count, failed = 0;
-  bool convex_only = true;
-  while (left > 3) {
-    // After a round without an ear: corners in a line, then, of an outline that crosses itself,
-    // any.
-    const bool any = !convex_only && failed >= left;
-    if (any || is_ear(corner, convex_only)) {
-      unlink(corner);
-      --left;
-      failed = 0;
-      convex_only = true;
-      corner = next_[next_[corner]];
+  bool convex_only = true, cut_one = true;
+  std::size_t at = waiting_.size();
+  std::uint32_t live = 0;
+  for (std::uint32_t left = count; left > 3;) {
+    if (at == waiting_.size()) {
+      // After a round without an ear corners in a line, then, where an outline crosses itself, any.
+      const bool any = !cut_one && !convex_only;
+      convex_only = cut_one || any;
+      while (gone_[live]) live = next_[live];
+      if (any) {
+        unlink(live);
+        --left;
+      }
+      while (gone_[live]) live = next_[live];
+      waiting_.clear();
+      for (std::uint32_t i = 0, corner = live; i < left; ++i, corner = next_[corner]) {
+        waiting_.push_back(corner);
+      }
+      at = 0;
+      cut_one = false;
       continue;
     }
-    corner = next_[corner];
-    if (++failed == left && convex_only) {
-      convex_only = false;
-      failed = 0;
-    }
+    const std::uint32_t corner = waiting_[at++];
+    if (gone_[corner] || !is_ear(corner, convex_only)) continue;
+    unlink(corner);
+    --left;
+    cut_one = true;
+    waiting_.insert(waiting_.end(), {previous_[corner], next_[corner]});
   }
-  while (gone_[corner]) corner = next_[corner];
-  cuts_.push_back({previous_[corner], corner, next_[corner]});
+  while (gone_[live]) live = next_[live];
+  cuts_.push_back({previous_[live], live, next_[live]});
 }
 
 }  // namespace halfspace

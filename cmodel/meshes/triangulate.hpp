@@ -33,7 +33,8 @@ class Triangulator {
 
   std::vector<glm::dvec2> flat_;  // the corners in the polygon's plane, counter-clockwise
   std::vector<std::uint32_t> next_, previous_;
-  std::vector<std::uint32_t> reflex_;  // corners that may lie in an ear, by x
+  std::vector<std::uint32_t> reflex_;   // corners that may lie in an ear, by x
+  std::vector<std::uint32_t> waiting_;  // corners to look at: all, then those beside an ear
   std::vector<bool> gone_;
   std::vector<Cut> cuts_;
 };
