@@ -97,9 +97,11 @@ class Cutter {
       if (fan(apex)) return;
     }
     pieces_ = {};
-    while (ring_.count() >= 3) {
-      if (!cut_flat() && !cut_ear(true) && !cut_ear(false)) ring_.remove(most_reflex());
-    }
+    Ring left = ring_;
+    while (left.count() >= 3 && (cut_flat(left) || cut_ear(left))) continue;
+    if (left.count() < 3) return;
+    add_largest([this](const Piece& piece) { return is_inside(piece); });
+    add_largest([this](const Piece& piece) { return winding_at_middle(piece) > 0; });
   }
 
   // All pieces around one vertex; false when one of them faces away or covers another.
@@ -117,50 +119,95 @@ class Cutter {
   }
 
   // A vertex between two others, or at the end of a spike.
-  bool cut_flat() {
-    for (std::size_t i = 0; i < ring_.count(); ++i) {
-      if (turn_at(i) != 0) continue;
-      ring_.remove(i);
+  static bool cut_flat(Ring& left) {
+    for (std::size_t i = 0; i < left.count(); ++i) {
+      if (turn_at(left, i) != 0) continue;
+      left.remove(i);
       return true;
     }
     return false;
   }
 
-  // empty: only an ear with no other vertex in it, which is always there when no edges cross.
-  bool cut_ear(bool empty) {
-    for (std::size_t i = 0; i < ring_.count(); ++i) {
-      const Piece ear{ring_.place(i + ring_.count() - 1), ring_.place(i), ring_.place(i + 1)};
-      if (turn_at(i) <= 0 || (empty && !is_empty(ear)) || !is_apart(ear)) continue;
+  // Always there when no edges cross.
+  bool cut_ear(Ring& left) {
+    for (std::size_t i = 0; i < left.count(); ++i) {
+      if (turn_at(left, i) <= 0) continue;
+      const Piece ear{left.place(i + left.count() - 1), left.place(i), left.place(i + 1)};
+      if (!is_inside(ear) || !is_apart(ear)) continue;
       pieces_.add(ear);
-      ring_.remove(i);
+      left.remove(i);
       return true;
     }
     return false;
   }
 
-  std::size_t most_reflex() const {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < ring_.count(); ++i) {
-      if (turn_at(i) < turn_at(best)) best = i;
+  // What is apart from all before of the triangles that may be taken, the largest first.
+  template <class May>
+  void add_largest(const May& may) {
+    const std::size_t n = ring_.count();
+    while (pieces_.count < Pieces::kMost) {
+      std::int64_t largest = 0;
+      Piece best{};
+      for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = i + 1; j < n; ++j) {
+          for (std::size_t k = j + 1; k < n; ++k) {
+            const std::int64_t area = turn(ring_.at(i), ring_.at(j), ring_.at(k));
+            const Piece piece{ring_.place(i), ring_.place(j), ring_.place(k)};
+            if (area <= largest || !is_apart(piece) || !may(piece)) continue;
+            largest = area;
+            best = piece;
+          }
+        }
+      }
+      if (largest == 0) return;
+      pieces_.add(best);
     }
-    return best;
   }
 
-  std::int64_t turn_at(std::size_t i) const {
-    return turn(ring_.at(i + ring_.count() - 1), ring_.at(i), ring_.at(i + 1));
+  static std::int64_t turn_at(const Ring& ring, std::size_t i) {
+    return turn(ring.at(i + ring.count() - 1), ring.at(i), ring.at(i + 1));
   }
   const Point& point(const Piece& piece, std::size_t i) const { return points_[piece[i % 3]]; }
 
-  // No vertex that is left lies in the ear or on its border, but for its own corners.
-  bool is_empty(const Piece& ear) const {
+  // No edge passes through the piece, and the polygon goes around it.
+  bool is_inside(const Piece& piece) const {
     for (std::size_t i = 0; i < ring_.count(); ++i) {
-      const Point& p = ring_.at(i);
-      if (p == point(ear, 0) || p == point(ear, 1) || p == point(ear, 2)) continue;
-      bool in = true;
-      for (std::size_t e = 0; e < 3; ++e) in = in && turn(point(ear, e), point(ear, e + 1), p) >= 0;
-      if (in) return false;
+      if (passes(piece, ring_.at(i), ring_.at(i + 1))) return false;
     }
-    return true;
+    return winding_at_middle(piece) > 0;
+  }
+
+  // A segment stays out of a triangle when an edge has both its ends on the outer side, or when the
+  // triangle lies on one side of it.
+  bool passes(const Piece& piece, const Point& from, const Point& to) const {
+    bool left = true, right = true;
+    for (std::size_t e = 0; e < 3; ++e) {
+      const Point &a = point(piece, e), &b = point(piece, e + 1);
+      if (turn(a, b, from) <= 0 && turn(a, b, to) <= 0) return false;
+      left = left && turn(from, to, a) >= 0;
+      right = right && turn(from, to, a) <= 0;
+    }
+    return !left && !right;
+  }
+
+  // How often the polygon goes around the piece's middle, which is on no edge: three times as fine.
+  int winding_at_middle(const Piece& piece) const {
+    const auto sum = [&](auto axis) {
+      return std::int64_t{point(piece, 0).*axis} + point(piece, 1).*axis + point(piece, 2).*axis;
+    };
+    const std::int64_t x = sum(&Point::x), y = sum(&Point::y);
+    int winding = 0;
+    for (std::size_t i = 0; i < ring_.count(); ++i) {
+      const Point &a = ring_.at(i), &b = ring_.at(i + 1);
+      const std::int64_t ay = 3 * std::int64_t{a.y} - y, by = 3 * std::int64_t{b.y} - y;
+      if ((ay <= 0) == (by <= 0)) continue;
+      const std::int64_t ax = 3 * std::int64_t{a.x} - x, bx = 3 * std::int64_t{b.x} - x;
+      // |ax|, |ay|, ... <= 3 2^29 < 2^31: a product of two fits 62 bits.
+      const std::int64_t side = ax * by - ay * bx;
+      if (ay <= 0 && side > 0) ++winding;
+      if (ay > 0 && side < 0) --winding;
+    }
+    return winding;
   }
 
   // Two triangles share no inner point when an edge of one has the other on its outer side.

@@ -24,16 +24,16 @@ struct Pieces {
   std::span<const Piece> all() const { return {piece.data(), count}; }
 };
 
-// Triangles with the polygon's vertices, none of which share a point of their inside, so that a
-// sample is covered once at most. They are the whole polygon when its edges do not cross; where
-// snapping made them cross, in a polygon about a subpixel across, a sliver of it may be left out.
+// Triangles with the polygon's vertices, none of which share an inner point, so that a sample is
+// covered once at most. They are the polygon when its edges do not cross. Snapping makes them cross
+// where the polygon is about a subpixel across; there a sliver may be left out, or added.
 // All face as the polygon does, by the sign of its area. They are the same triangles in the same
 // order whichever vertex comes first; of the reversed polygon they are the same, reversed.
 //
 //   ring    3 to 10 vertices, subpixels, |x|, |y| <= 2^28; in order around the polygon, which
 //           snapping may have dented. Equal ones may stand in it.
 //   return  pieces with an area; none when the polygon has none
-//   cost    a fan when the polygon is convex; else O(n^3)
+//   cost    a fan when the polygon is convex; else O(n^4)
 Pieces polygon_pieces(std::span<const Point> ring);
 
 }  // namespace halfspace

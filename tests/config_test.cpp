@@ -73,7 +73,7 @@ TEST(Config, EveryFieldJustOutsideItsRangeIsRefusedByName) {
                                   {"grid_log2", &Config::grid_log2, 2, 3},
                                   {"setup_interval", &Config::setup_interval, 1, 3},
                                   {"tag_bits", &Config::tag_bits, 1, 32},
-                                  {"depth_bits", &Config::depth_bits, 16, 24},
+                                  {"depth_bits", &Config::depth_bits, 16, 32},
                                   {"attributes", &Config::attributes, 0, 8},
                                   {"inverse_w_bits", &Config::inverse_w_bits, 12, 30},
                                   {"gradient_bits", &Config::gradient_bits, 0, 20},

@@ -31,12 +31,12 @@ CameraOptions turned_away() {
 // before it fills. Registers 2, 3 and 4 of level 0 hold a triangle each and its FIFO two, so the
 // fifth is the first that waits behind another.
 TEST(FitFifos, TheSecondEntryIsUsedWhenAllBeforeItIsFull) {
-  const std::string path = testing::TempDir() + "fifos.tcov";
   FifoUses before;  // of one triangle fewer
   for (const auto& [triangles, waited] :
        {std::pair(4, 0), std::pair(5, 1), std::pair(6, 2), std::pair(7, 3), std::pair(8, 4)}) {
     std::string text = "TCOV 1 1\ncase 0 x 512 512 " + std::to_string(triangles) + " 0 0 0\n";
     for (int i = 0; i < triangles; ++i) text += "0 0 130816 0 0 130816\n";
+    const std::string path = testing::TempDir() + "fifos_" + std::to_string(triangles) + ".tcov";
     OutputFile file(path);
     file.write(text);
     file.commit();
@@ -60,8 +60,8 @@ TEST(FitFifos, TheSecondEntryIsUsedWhenAllBeforeItIsFull) {
     }
     before = uses;
     EXPECT_EQ(uses.fifo[2].waited, 0u);  // coverage takes a tile every clock
+    std::remove(path.c_str());
   }
-  std::remove(path.c_str());
 }
 
 TEST(Fit, NothingToDrawIsNothingToFitTo) {

@@ -101,7 +101,7 @@ class Meshes(Program):
         mesh = self.out / "a\x1b[31mb.obj"
         mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n")
         _, said, _ = self.draw(mesh)
-        self.assertIn("a\\x1B[31mb.obj", said)
+        self.assertIn("a\\x1b[31mb.obj", said)
         self.assertNotIn("\x1b", said)
         mesh.write_text("f \x1b]0;title\x07\n")
         done = subprocess.run([PROGRAM, "render", mesh, "--out", self.out / "x.png"],
