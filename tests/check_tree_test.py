@@ -43,7 +43,7 @@ FAULTS = [
      "`rtl` takes 36 times as long"),
     ("docs/charts/subpixel_area.json", '"luts": 10878', '"luts": 10879', "8,781 to 10,879"),
     ("docs/charts/efficiency.json", "24.72169", "23.72169", "it covers 2.4 times"),
-    ("docs/charts/interpolation.json", "0.5563", "0.5763", "a reciprocal of 14 bits"),
+    ("docs/charts/interpolation.json", "0.5490", "0.5763", "a reciprocal of 14 bits"),
     ("docs/charts/accumulator.json", "52036.56", "32036.56", "3 to 5 % of samples"),
     ("docs/charts/peers.json", '"ns_per_triangle": 5398.858', '"ns_per_triangle": 6398.858',
      "level coverage is 17 times"),
