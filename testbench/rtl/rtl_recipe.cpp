@@ -11,6 +11,7 @@
 
 #include "io/config_package.hpp"
 #include "io/error.hpp"
+#include "io/fnv.hpp"
 #include "io/output_file.hpp"
 #include "io/source_tree.hpp"
 
@@ -109,19 +110,14 @@ RtlRecipe rtl_recipe(const Config& config, const std::string& place) {
   return recipe;
 }
 
-// FNV-1a, 64 bits.
 std::uint64_t hash_of(const RtlRecipe& recipe, const RtlTools& tools) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  const auto add = [&hash](const std::string& text) {
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-    hash = (hash ^ 0xFFu) * 0x100000001b3;  // a byte that no text has: the end of this one
-  };
-  for (const auto& [name, text] : recipe.files) add(name), add(text);
+  Fnv hash;
+  for (const auto& [name, text] : recipe.files) hash.add(name), hash.add(text);
   for (const std::string& text : {recipe.sources, tools.verilator, tools.compiler, tools.command,
                                   std::string(kVerilateCommand), std::string(kCompileCommands)}) {
-    add(text);
+    hash.add(text);
   }
-  return hash;
+  return hash.value();
 }
 
 }  // namespace halfspace
