@@ -51,8 +51,10 @@ Config require_preset(const std::string& name, const std::string& place) {
                           preset_names()));
 }
 
-void set_field(Config& config, const std::string& key, const nlohmann::json& value,
-               const std::string& place) {
+}  // namespace
+
+void set_config_field(Config& config, const std::string& key, const nlohmann::json& value,
+                      const std::string& place) {
   const auto refuse = [&](const char* expected) {
     throw Error(ErrorCode::kConfigRange, place,
                 fmt::format("{} = {:.40} is not {}", key, value.dump(), expected));
@@ -77,8 +79,6 @@ void set_field(Config& config, const std::string& key, const nlohmann::json& val
   throw Error(ErrorCode::kConfigKey, place, fmt::format("unknown key '{:.40}'", key));
 }
 
-}  // namespace
-
 void require_legal(const Config& config, const std::string& place) {
   const std::string wrong = validate(config);
   if (!wrong.empty()) throw Error(ErrorCode::kConfigRange, place, wrong);
@@ -96,7 +96,7 @@ Config parse_config(const std::string& text, const std::string& place) {
     config = require_preset(json["preset"], place);
   }
   for (const auto& [key, value] : json.items()) {
-    if (key != "preset") set_field(config, key, value, place);
+    if (key != "preset") set_config_field(config, key, value, place);
   }
   require_legal(config, place);
   return config;

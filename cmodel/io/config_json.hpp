@@ -17,6 +17,11 @@ Config load_config(const std::string& name_or_path);
 // The same from JSON text; place is used in messages.
 Config parse_config(const std::string& text, const std::string& place);
 
+// Sets one field, which may leave the configuration illegal. Throws Error: kConfigKey, or
+// kConfigRange for a value of the wrong type.
+void set_config_field(Config& config, const std::string& key, const nlohmann::json& value,
+                      const std::string& place);
+
 // Every free value. parse_config(config_json(c).dump(), "") == c.
 nlohmann::ordered_json config_json(const Config& config);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <memory>
 #include <span>
 
 #include "fit.hpp"
@@ -200,7 +201,26 @@ void measure(const FitView& view, const Probes& probes, const Config& config,
   compare_until(probes.measured.size());
 }
 
+// With what coverage does not depend on as wide as it gets.
+Config measured_config(Config config) {
+  config.guard_bits = 16;
+  config.extent_bits = 0;
+  config.tag_bits = 32;
+  config.grid_log2 = 3;
+  return config;
+}
+
 }  // namespace
+
+CoverageMeter coverage_meter(const FitView& view, int samples, std::uint64_t budget) {
+  const std::uint64_t stride = 1 + outline_pixels(view) / budget;
+  const auto probes = std::make_shared<const Probes>(make_probes(view, stride, samples));
+  return [view, probes](const Config& config) {
+    CoverageError error;
+    measure(view, *probes, measured_config(config), error);
+    return error;
+  };
+}
 
 CoverageCurve coverage_curve(const std::vector<FitView>& views, const Config& base,
                              std::uint64_t budget) {
@@ -216,11 +236,7 @@ CoverageCurve coverage_curve(const std::vector<FitView>& views, const Config& ba
     for (std::size_t s = 0; s < curve.error.size(); ++s) {
       Config config = base;
       config.subpixel_bits = static_cast<int>(s);
-      config.guard_bits = 16;
-      config.extent_bits = 0;
-      config.tag_bits = 32;
-      config.grid_log2 = 3;
-      measure(view, probes, config, curve.error[s]);
+      measure(view, probes, measured_config(config), curve.error[s]);
       progress.advance();
     }
   }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -80,6 +81,11 @@ struct CoverageCurve {
 // Only in a build with CGAL; fit() throws Error(kFitOracle) in others.
 CoverageCurve coverage_curve(const std::vector<FitView>& views, const Config& base,
                              std::uint64_t budget);
+
+// The same of one view for any configurations of as many samples; what does not depend on them is
+// worked out once. Only in a build with CGAL.
+using CoverageMeter = std::function<CoverageError(const Config&)>;
+CoverageMeter coverage_meter(const FitView& view, int samples, std::uint64_t budget);
 
 // One curve for each of the bits that interpolation has, the others at their most.
 struct AttributeCurves {
