@@ -69,13 +69,15 @@ ARROWS = {
     "testbench/rtl/stage": ("cmodel", "testbench/vectors", "testbench/rtl"),
     "testbench/bench": ("cmodel", "cmodel/engines/common", *ENGINES, "cmodel/io", "cmodel/meshes",
                         "cmodel/scene", "testbench/vectors", "testbench/rtl"),
+    "testbench/sweep": ("cmodel", "cmodel/engines/cycle", "cmodel/io", "cmodel/scene",
+                        "testbench/fit", "testbench/rtl"),
     "testbench/lab": ("cmodel", "cmodel/engines/coverage", "cmodel/io", "cmodel/scene",
                       "testbench/oracle", "testbench/vectors", "testbench/methods"),
     "testbench/synth": ("cmodel", "testbench/vectors", "testbench/rtl"),
     "testbench/dpi": (),  # a user of the installed library
     "testbench/cli": ("cmodel", "cmodel/engines/common", *ENGINES, "cmodel/io", "cmodel/scene",
                       "testbench/vectors", "testbench/methods", "testbench/fit", "testbench/rtl",
-                      "testbench/bench", "testbench/lab"),
+                      "testbench/bench", "testbench/sweep", "testbench/lab"),
 }
 NOT_IN_CORE = {"thread", "mutex", "atomic", "future", "condition_variable", "iostream", "fstream",
                "sstream", "filesystem"}
