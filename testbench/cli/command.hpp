@@ -85,6 +85,7 @@ Action add_vectors_command(Command& program);
 Action add_fit_command(Command& program);
 Action add_sweep_command(Command& program);
 Action add_merge_command(Command& program);
+Action add_soak_command(Command& program);
 Action add_methods_command(Command& program);
 Action add_report_command(Command& program, const LabDoor* lab);
 Action add_stability_command(Command& program, const LabDoor* lab);

@@ -93,6 +93,7 @@ const std::vector<halfspace::Subcommand> kSubcommands{
     {"fit", HS_UNLESS_DRAWING_ONLY(halfspace::add_fit_command)},
     {"sweep", HS_UNLESS_DRAWING_ONLY(halfspace::add_sweep_command)},
     {"merge", HS_UNLESS_DRAWING_ONLY(halfspace::add_merge_command)},
+    {"soak", HS_UNLESS_DRAWING_ONLY(halfspace::add_soak_command)},
     {"methods", HS_UNLESS_DRAWING_ONLY(halfspace::add_methods_command)},
     {"config", halfspace::add_config_command},
     {"chart", HS_UNLESS_DRAWING_ONLY(with_lab<halfspace::add_chart_command>)},
