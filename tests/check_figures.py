@@ -153,9 +153,36 @@ def counted(tree):
         yield page, f"{len(rows)} methods of the literature"
 
 
+def sweep(tree):
+    least, faster, waits, larger, smaller = {}, [], [], set(), set()
+    records = [json.loads(line) for line in tree.text("docs/charts/sweep.jsonl").splitlines()]
+    at = {(r["scene"], *(r["config"][key] for key in
+                         ("samples", "subpixel_bits", "grid_log2", "setup_interval"))): r
+          for r in records}
+    yield CHARTS, f"{len(records)} cases"
+    for (scene, samples, bits, grid, interval), r in at.items():
+        if r["coverage_error"]["ppm"] <= 1000 and samples == 1:
+            name = scene.split("/")[-1].split(".")[0]
+            least[name] = min(bits, least.get(name, 99))
+        if (bits, grid, interval) != (8, 3, 1):
+            continue
+        small, slow = at[scene, samples, 8, 2, 1], at[scene, samples, 8, 3, 3]
+        speed = [x["clocks"]["pixels_per_clock"] for x in (r, small, slow)]
+        faster.append(speed[0] / speed[1])
+        waits.append(1 - speed[2] / speed[0])
+        larger.add(percent(small["area"]["luts"], r["area"]["luts"]))
+        smaller.add(f"{100 * (1 - slow['area']['luts'] / r['area']['luts']):.1f} %")
+    yield CHARTS, (f"{min(faster):.1f} to {max(faster):.1f} times the pixels a clock for "
+                   f"{' or '.join(sorted(larger))} more LUTs")
+    yield CHARTS, (f"saves {' or '.join(sorted(smaller))} of the LUTs and costs up to "
+                   f"{100 * max(waits):.0f} % of the pixels a clock")
+    yield CHARTS, ", ".join(f"{bits} for {name}" for name, bits in
+                            sorted(least.items(), key=lambda item: item[1]))
+
+
 def problems(tree):
     for part in (methods, subpixel, ladder, efficiency, interpolation, accumulator, peers,
-                 measured, clocks, counted):
+                 measured, clocks, counted, sweep):
         for page, sentence in part(tree):
             if sentence not in " ".join(tree.text(page).split()):
                 yield f"{page}: the data says: {sentence}"

@@ -172,6 +172,15 @@ def on_slurm(args, shards, watch):
         wait = min(1.2 * wait, 10)
 
 
+def draw(merged):
+    """The chart of area, error and throughput, of a sweep that has all three."""
+    with open(merged) as file:
+        if {"area", "coverage_error", "clocks"} <= json.loads(file.readline()).keys():
+            script = pathlib.Path(__file__).with_name("sweep_chart.py")
+            subprocess.run([sys.executable, script, merged, merged.parent], check=True)
+            print(f"{merged.parent}/index.html: the chart")
+
+
 def arguments():
     cores = len(os.sched_getaffinity(0))
     parser = argparse.ArgumentParser(prog="many.py", description=__doc__.split("\n")[0])
@@ -222,6 +231,8 @@ def main():
     status = subprocess.run([*merge, "--out", str(out)], check=False).returncode
     if status == 1 and not out.exists():
         print("many.py: the same command runs them again", file=sys.stderr)
+    if out.exists():
+        draw(out)
     sys.exit(status)
 
 
