@@ -10,7 +10,7 @@ import unittest
 
 sys.dont_write_bytecode = True
 import slurm_cluster  # noqa: E402
-from program import PROGRAM, SCENES, TESTS, Program  # noqa: E402
+from program import HAS_RTL, PROGRAM, SCENES, TESTS, Program  # noqa: E402
 
 MANY = TESTS.parent / "testbench/sweep/many.py"
 QUICK = {"scenes": [str(SCENES / "cube.gltf")], "size": ["32x24"], "views": 4,
@@ -107,6 +107,14 @@ class Slurm(ManyProgram):
                          environment=self.cluster.environment)
         self.expect_all(done)
         self.assertEqual(len(list((self.out / "d").glob("log-0+*.txt"))), 8)
+
+    @unittest.skipUnless(HAS_RTL, "this build has no RTL")
+    def test_the_rtl_is_built_before_the_array_runs(self):
+        self.write(dict(QUICK, config={}, measure=["rtl"]))
+        done = self.many("--out", "d", "--on", "slurm", "-n", 4, "--time", 5,
+                         environment=self.cluster.environment)
+        self.expect_all(done)
+        self.assertEqual((self.out / "d/log-rtl.txt").read_text(), "1 configurations\n")
 
     def test_what_was_killed_or_ran_into_its_limit_is_run_again(self):
         # Task 2 is killed, task 5 hangs until its limit, one minute.

@@ -11,7 +11,7 @@ import time
 import unittest
 
 sys.dont_write_bytecode = True
-from program import PROGRAM, SCENES, TESTS, Program  # noqa: E402
+from program import HAS_RTL, PROGRAM, SCENES, TESTS, Program  # noqa: E402
 
 TEAPOT = str(SCENES / "teapot.obj")
 SMALLEST = {"scenes": ["tests/scenes/teapot.obj"], "size": ["320x240"],
@@ -223,6 +223,32 @@ class Sweep(Program):
             self.assertEqual(json.loads(lines[-1])["run"]["resumed"], kept)
             self.assertGreater(kills, 0)
         self.assertEqual(len(list(folder.iterdir())), 1, "unfinished files are left")
+
+    def test_an_interrupted_shard_says_so_and_goes_on(self):
+        spec = self.specification(dict(QUICK, views=400))
+        running = subprocess.Popen([PROGRAM, "sweep", spec, "--out", "d"], cwd=self.out, text=True,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        end = time.monotonic() + 30
+        while not list(self.out.glob("d/*.partial-*")) and time.monotonic() < end:
+            time.sleep(0.01)
+        running.terminate()
+        said = running.communicate()[1]
+        self.assertEqual((running.returncode, said),
+                         (2, "halfspace: error[HS050]: interrupted; what was written before stays\n"))
+        done = max(p.read_text().count("\n") for p in self.out.glob("d/*.partial-*"))
+        self.succeed("sweep", spec, "--out", "d")
+        last = (self.out / "d/shard-00000-of-00001.jsonl").read_text().splitlines()[-1]
+        self.assertEqual(json.loads(last)["run"]["resumed"], done)
+
+    @unittest.skipUnless(HAS_RTL, "this build has no RTL")
+    def test_the_rtl_is_compared_under_stalls(self):
+        spec = self.specification(dict(QUICK, config={}, views=1, size=["32x24"], stall=0.2,
+                                       measure=["clocks", "rtl"]))
+        self.assertEqual(self.succeed("sweep", spec, "--build-rtl").stdout, "1 configurations\n")
+        self.succeed("sweep", spec, "--out", "d")
+        record = self.records((self.out / "d/shard-00000-of-00001.jsonl").read_text())[0]
+        self.assertTrue(record["rtl"]["identical"])
+        self.assertGreater(record["rtl"]["clocks"], record["clocks"]["clocks"])
 
     def test_a_torn_record_is_made_again(self):
         spec = self.specification(QUICK)
