@@ -22,7 +22,7 @@ class Soak(Program):
         spec = self.specification(configurations=4, triangles=100)
         done = self.succeed("soak", spec)
         self.assertEqual(done.stdout, "no difference: 400 triangles, 4 configurations, "
-                                      "checks engines cycle oracle interpolation\n")
+                                      "checks engines frame cycle oracle interpolation\n")
         self.assertIn("200 triangles, 2 c", self.succeed("soak", spec, "--shard", "1/2").stdout)
 
     def test_a_replay_without_a_difference_says_so(self):

@@ -33,7 +33,8 @@ struct SoakCheck {
   std::function<std::string(std::span<const ShadedTriangle>, const SoakPoint&)> difference;
 };
 
-// engines: coverage engines of every instruction set against the stages. cycle: cycle engines of
+// engines: coverage engines of every instruction set against the stages. frame: frame
+// engines of every instruction set against the stages, depth and colour. cycle: cycle engines of
 // every instruction set against the cycle model under stalls. oracle: the stages against exact
 // predicates. interpolation: depth and attributes against exact rationals, within the bound that
 // docs/03_design/interpolation.md proves. rtl: the RTL against the cycle model under stalls.

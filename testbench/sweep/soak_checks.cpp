@@ -9,6 +9,7 @@
 #include "cycle_model.hpp"
 #include "engines/coverage/coverage_engine.hpp"
 #include "engines/cycle/cycle_engine.hpp"
+#include "engines/frame/frame_engine.hpp"
 #include "interpolation_bound.hpp"
 #include "io/error.hpp"
 #include "rasterizer.hpp"
@@ -67,6 +68,31 @@ std::string check_engines(Triangles shaded, const SoakPoint& point) {
         return fmt::format("{} covers {} tiles of triangle {} unlike the stages' {}", isa,
                            got[t].size(), t, want[t].size());
       }
+    }
+  }
+  return {};
+}
+
+// In both, the depth buffer of one triangle is that of the next.
+std::string check_frame(Triangles shaded, const SoakPoint& point) {
+  const Rgb background{9, 80, 200};
+  Rasterizer plain(point.frame, point.config, DepthFunction::kLess, background);
+  for (const ShadedTriangle& one : shaded) plain.draw(one);
+  const Image want = plain.framebuffer().resolve();
+  for (const std::string_view isa : coverage_isas()) {
+    FrameOptions options;
+    options.background = background;
+    options.isa = isa;
+    options.count_hits = true;
+    FrameEngine fast(point.frame, point.config, options);
+    fast.draw(shaded);
+    if (fast.hits() != plain.hit_count().count()) return fmt::format("{} hits otherwise", isa);
+    const Image got = fast.framebuffer().resolve();
+    for (std::size_t i = 0; i < want.pixel.size(); ++i) {
+      if (got.pixel[i] == want.pixel[i]) continue;
+      const auto width = static_cast<std::size_t>(point.frame.width);
+      return fmt::format("{} draws pixel ({}, {}) in another colour than the stages", isa,
+                         i % width, i / width);
     }
   }
   return {};
@@ -182,6 +208,7 @@ std::string check_rtl(Triangles shaded, const SoakPoint& point) {
 const std::vector<SoakCheck>& soak_checks() {
   static const std::vector<SoakCheck> all{
       {"engines", check_engines},
+      {"frame", check_frame},
       {"cycle", check_cycle},
 #ifdef HALFSPACE_HAS_ORACLE
       {"oracle", check_oracle},
