@@ -8,9 +8,11 @@
 #include <bit>
 #include <cmath>
 
+#include "depth.hpp"
 #include "interpolation.hpp"
 #include "rasterizer.hpp"
 #include "samples.hpp"
+#include "shading.hpp"
 
 namespace halfspace {
 namespace {
@@ -60,10 +62,12 @@ class Judge {
   double units_off(const CoverageTile& tile) const {
     const double step = std::ldexp(1.0, -config_.gradient_bits);
     const double side = config_.grid() - 1;
-    const Point v = shaded_.triangle.vertex[0];
+    const Point v = planes_.origin;
     const double ex = std::abs(tile.x - std::ldexp(v.x, -config_.subpixel_bits)) + 1;
     const double ey = std::abs(tile.y - std::ldexp(v.y, -config_.subpixel_bits)) + 1;
-    return (ex + ey) * step + step + 1 + side + 2 * side * step + (config_.samples > 1 ? 1 : 0);
+    const double reciprocal = 0.75;
+    return (ex + ey) * step + reciprocal + step + 1 + side + 2 * side * step +
+           (config_.samples > 1 ? 1 : 0);
   }
 
   std::int32_t value(const Plane& plane, const CoverageTile& tile, int m, int lane) const {
@@ -90,9 +94,11 @@ class Judge {
       over_w += weights.of[i] * shaded_.attributes[i].inverse_w;
     }
     const std::uint32_t got = depth_value(value(planes_.depth, tile, m, lane), config_);
-    const double wrong = ratio((Wide{got} << kDepthFractionBits) * weights.sum - depth,
-                               weights.sum << kDepthFractionBits);
-    const double allowed = off * std::ldexp(1.0, config_.depth_bits - 30) + 0.5;
+    const int down = kPlaneBits - config_.depth_bits;  // an LSB of depth in units of the plane
+    const double wrong = down >= 0
+                             ? ratio((Wide{got} << down) * weights.sum - depth, weights.sum << down)
+                             : ratio(got * weights.sum - (depth << -down), weights.sum);
+    const double allowed = off * std::ldexp(1.0, -down) + 0.5;
     if (wrong > allowed) {
       return place + fmt::format("depth {} is {} LSB off, allowed {}", got, wrong, allowed);
     }
@@ -119,7 +125,8 @@ class Judge {
         const VertexAttributes& vertex = shaded_.attributes[i];
         sum += weights.of[i] * vertex.inverse_w * vertex.value[n];
       }
-      const int got = perspective(value(planes_.attribute[n], tile, m, lane), inverse_w, config_);
+      const int got = perspective(value(planes_.attribute[n], tile, m, lane), inverse_w,
+                                  planes_.level[n], config_);
       const double wrong =
           ratio(((over_w * got) << kAttributeFractionBits) - sum, over_w << kAttributeFractionBits);
       if (wrong > allowed) {

@@ -41,7 +41,7 @@ Config draw_config(Random& random) {
   c.grid_log2 = pick(random, 2, 3);
   c.setup_interval = pick(random, 0, 1) == 0 ? 1 : 3;
   c.tag_bits = pick(random, 1, 32);
-  c.depth_bits = pick(random, 16, 24);
+  c.depth_bits = pick(random, 16, 32);
   c.attributes = pick(random, 0, 8);
   c.inverse_w_bits = pick(random, 12, 30);
   c.gradient_bits = pick(random, 0, 20);
