@@ -15,7 +15,7 @@
 
 // The scalar kernels need no vectors: frame_scalar.cpp.
 #if HWY_TARGET != HWY_SCALAR
-#include "frame_bins-inl.hpp"
+#include "frame_buckets-inl.hpp"
 #include "frame_depth-inl.hpp"
 #include "frame_project-inl.hpp"
 #include "frame_resolve-inl.hpp"
@@ -25,7 +25,8 @@ HWY_BEFORE_NAMESPACE();
 namespace halfspace::simd::HWY_NAMESPACE {
 
 static constexpr FrameKernels kernels(std::string_view isa) {
-  return {isa, &Highest, &Project, &Planes, &Depth, &Bins, &Shade, &Resolve, &ShadeOnly, &Divide};
+  return {isa,      &Highest, &Project, &Planes,    &Depth,
+          &Buckets, &Shade,   &Resolve, &ShadeOnly, &Divide};
 }
 
 }  // namespace halfspace::simd::HWY_NAMESPACE

@@ -36,8 +36,8 @@ using DepthKernel = void (*)(const FrameConstants& constants, const FrameTiles& 
 
 // The same for one sample and tiles that are sorted: all records of a tile, then the next tile. Of
 // the lanes that passed in a tile only the last of each pixel stay in `passed`.
-using BinKernel = void (*)(const FrameConstants& constants, const BinRange& bins, FrameStore& store,
-                           PassedTiles& passed, FrameCounts& counts);
+using BinKernel = void (*)(const FrameConstants& constants, const BinRange& buckets,
+                           FrameStore& store, PassedTiles& passed, FrameCounts& counts);
 
 // Colours of the passed lanes, in order, into the store. `triangles` as PassedTile::triangle.
 using ShadeKernel = void (*)(const FrameConstants& constants, const FrameTriangle* triangles,
@@ -70,7 +70,7 @@ struct FrameKernels {
   ProjectKernel project;
   PlaneKernel planes;
   DepthKernel depth;
-  BinKernel bins;  // null: there is none
+  BinKernel buckets;  // null: there is none
   ShadeKernel shade;
   ResolveKernel resolve;  // null: there is none
   ShadePlaneKernel shade_planes;

@@ -12,8 +12,8 @@ FramePiece::FramePiece(const FrameState& frame, const Config& config,
     : kernels_(kernels), engine_(frame, config, kernels.isa) {}
 
 void FramePiece::cover(const FrameConstants& constants, const std::vector<VertexRecord>& records,
-                       std::size_t enough, const FrameBins::Grid& grid,
-                       FrameBins::Scratch& scratch) {
+                       std::size_t enough, const FrameBuckets::Grid& grid,
+                       FrameBuckets::Scratch& scratch) {
   done_ += engine_.fill({assembly_.triangle.data(), assembly_.count}, done_, enough);
   const CoverageChunk chunk = engine_.chunk();
   list_triangles(chunk, records);
@@ -25,9 +25,9 @@ void FramePiece::cover(const FrameConstants& constants, const std::vector<Vertex
   tiles_.triangle = record_triangle_.data();
   tiles_.depth = depth_.data();
   tiles_.depth_delta = depth_delta_.data();
-  bins_.clear();
-  if (constants.samples == 1 && kernels_.bins != nullptr &&
-      bins_.fill(tiles_, constants, grid, scratch)) {
+  buckets_.clear();
+  if (constants.samples == 1 && kernels_.buckets != nullptr &&
+      buckets_.fill(tiles_, constants, grid, scratch)) {
     return;
   }
   sort_records(grid);
@@ -86,7 +86,7 @@ void FramePiece::make_planes(const FrameConstants& constants) {
   }
 }
 
-void FramePiece::sort_records(const FrameBins::Grid& grid) {
+void FramePiece::sort_records(const FrameBuckets::Grid& grid) {
   of_band_.resize(grid.bands());
   for (std::vector<std::uint32_t>& list : of_band_) list.clear();
   if (grid.bands() == 1) return;

@@ -7,7 +7,7 @@
 
 #include "../coverage/coverage_engine.hpp"
 #include "../coverage/hit_plane.hpp"
-#include "frame_bins.hpp"
+#include "frame_buckets.hpp"
 #include "frame_geometry.hpp"
 #include "frame_kernel.hpp"
 #include "frame_records.hpp"
@@ -31,14 +31,14 @@ class FramePiece {
   //   grid     of the frame's tiles; what is found is sorted by its bands
   //   scratch  for the sorting
   void cover(const FrameConstants& constants, const std::vector<VertexRecord>& records,
-             std::size_t enough, const FrameBins::Grid& grid, FrameBins::Scratch& scratch);
+             std::size_t enough, const FrameBuckets::Grid& grid, FrameBuckets::Scratch& scratch);
 
   // What the last cover() found.
   const FrameTiles& tiles() const { return tiles_; }
   const FrameTriangle* triangles() const { return triangle_.data(); }
   std::size_t triangle_count() const { return count_; }
   // Sorted by tile or, where that is not done, by band only.
-  const FrameBins& bins() const { return bins_; }
+  const FrameBuckets& buckets() const { return buckets_; }
   simd::RecordOrder order(std::uint32_t band) const;
   // The first of `rest`, until they are `enough` tiles, a run counted by its length; takes them
   // off.
@@ -50,7 +50,7 @@ class FramePiece {
   void list_triangles(const CoverageChunk& chunk, const std::vector<VertexRecord>& records);
   void list_records(const CoverageChunk& chunk);
   void make_planes(const FrameConstants& constants);
-  void sort_records(const FrameBins::Grid& grid);
+  void sort_records(const FrameBuckets::Grid& grid);
 
   const simd::FrameKernels& kernels_;
   CoverageEngine engine_;
@@ -63,7 +63,7 @@ class FramePiece {
   std::vector<FramePlane> depth_;
   std::vector<std::uint32_t> depth_delta_;
   std::vector<std::uint32_t> record_triangle_;
-  FrameBins bins_;
+  FrameBuckets buckets_;
   std::vector<std::vector<std::uint32_t>> of_band_;  // records of each band, in order
 };
 

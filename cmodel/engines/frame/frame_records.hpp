@@ -147,7 +147,7 @@ struct PassedTiles {
   std::vector<PassedTile> tile;
   std::vector<std::uint64_t> covered;
   std::vector<std::uint64_t> passed;
-  std::vector<std::uint64_t> won;     // of the bin kernel: lanes that passed, by record of a tile
+  std::vector<std::uint64_t> won;  // of the bucket kernel: lanes that passed, by record of a tile
   std::vector<std::uint32_t> shaded;  // of the colour kernel: triangles with a tile, once each
   std::vector<std::uint32_t> slot;    // of the colour kernel: [triangle]: its index there plus 1
   std::vector<ShadePlanes> planes;    // of those

@@ -30,17 +30,17 @@ struct FrameEngine::Work::Round {
   std::size_t piece = 0;  // the first of its pieces
 };
 
-// Four rounds at a time, each a step further: the indices of one are scanned (coming_), the
-// vertices of the one before are projected (arriving_), the pieces of the one before that prepared
-// (prepared_), and the tiles of the oldest drawn (drawn_), each band of rows by one thread and in
-// the order of triangles. What a step reads was made in the step before.
+// Four rounds at a time, each a step further: the indices of one are scanned (scanning_), the
+// vertices of the one before are projected (projecting_), the pieces of the one before that
+// prepared (preparing_), and the tiles of the oldest drawn (drawing_), each band of rows by one
+// thread and in the order of triangles. What a step reads was made in the step before.
 //
 // Of a piece with too many records only the first are there when its round is drawn. Then the line
 // waits: in steps of their own its next records are found, and drawn with the pieces behind it.
 class FrameEngine::Work::Shared {
  public:
   Shared(Work& work, const Feed& feed) : work_(work), feed_(feed) {
-    coming_ = round(index_++);
+    scanning_ = round(index_++);
     scan();
   }
 
@@ -48,30 +48,31 @@ class FrameEngine::Work::Shared {
   // when all is drawn.
   std::size_t plan() {
     if (const std::size_t rest = plan_rest(); rest > 0) return rest;
-    for (std::size_t i = 0; i < prepared_.used; ++i) work_.tell(work_.pieces_[prepared_.piece + i]);
-    drawn_ = prepared_;
+    for (std::size_t i = 0; i < preparing_.used; ++i)
+      work_.tell(work_.pieces_[preparing_.piece + i]);
+    drawing_ = preparing_;
     draw_from(0);
-    prepared_ = arriving_;
-    arriving_ = coming_;
-    coming_ = round(index_++);
+    preparing_ = projecting_;
+    projecting_ = scanning_;
+    scanning_ = round(index_++);
     projected_ = needed_;
-    needed_ = std::max(needed_, coming_needed_);
+    needed_ = std::max(needed_, scanning_needed_);
     const std::size_t more = needed_ - projected_;
     range_ = std::max(kVertexRange, (more + kMostRanges - 1) / kMostRanges);
-    bands_ = drawn_.used == 0 ? 0 : work_.grid_.bands();
-    if (arriving_.used + prepared_.used + drawn_.used == 0) return 0;
-    return 1 + bands_ + prepared_.used + (more + range_ - 1) / range_;
+    bands_ = drawing_.used == 0 ? 0 : work_.grid_.bands();
+    if (projecting_.used + preparing_.used + drawing_.used == 0) return 0;
+    return 1 + bands_ + preparing_.used + (more + range_ - 1) / range_;
   }
 
   void task(std::size_t task, std::size_t thread) {
-    if (step_ == Step::kCover) return cover(drawn_.piece + draw_end_ - 1, thread);
+    if (step_ == Step::kCover) return cover(drawing_.piece + draw_end_ - 1, thread);
     if (step_ == Step::kDraw) return draw(task, thread);
     if (task == 0) return scan();
     task -= 1;
     if (task < bands_) return draw(task, thread);
     task -= bands_;
-    if (task < prepared_.used) return prepare(task, thread);
-    const std::size_t from = projected_ + (task - prepared_.used) * range_;
+    if (task < preparing_.used) return prepare(task, thread);
+    const std::size_t from = projected_ + (task - preparing_.used) * range_;
     work_.kernels_.project(work_.project_, *feed_.source, from, std::min(range_, needed_ - from),
                            work_.records_.data());
   }
@@ -79,10 +80,10 @@ class FrameEngine::Work::Shared {
  private:
   enum class Step { kAll, kCover, kDraw };  // kCover: one task; kDraw: bands only
 
-  // The pieces of drawn_ from `first` on that can be drawn now: up to one that is not finished.
+  // The pieces of drawing_ from `first` on that can be drawn now: up to one that is not finished.
   void draw_from(std::size_t first) {
     draw_begin_ = draw_end_ = first;
-    while (draw_end_ < drawn_.used && work_.pieces_[drawn_.piece + draw_end_++].finished()) {
+    while (draw_end_ < drawing_.used && work_.pieces_[drawing_.piece + draw_end_++].finished()) {
     }
   }
 
@@ -94,14 +95,14 @@ class FrameEngine::Work::Shared {
       draw_from(draw_end_ - 1);
       return bands_;
     }
-    if (drawn_.used == 0 || work_.pieces_[drawn_.piece + draw_end_ - 1].finished()) return 0;
+    if (drawing_.used == 0 || work_.pieces_[drawing_.piece + draw_end_ - 1].finished()) return 0;
     step_ = Step::kCover;
     return 1;
   }
 
   void draw(std::size_t band, std::size_t thread) {
     for (std::size_t i = draw_begin_; i < draw_end_; ++i) {
-      work_.draw_tiles(work_.pieces_[drawn_.piece + i], static_cast<std::uint32_t>(band), thread);
+      work_.draw_tiles(work_.pieces_[drawing_.piece + i], static_cast<std::uint32_t>(band), thread);
     }
   }
 
@@ -124,28 +125,28 @@ class FrameEngine::Work::Shared {
 
   // Which vertices the round after the next needs.
   void scan() {
-    if (feed_.source == nullptr || coming_.count == 0) return;
-    coming_needed_ = feed_.vertices(coming_.first, coming_.count);
+    if (feed_.source == nullptr || scanning_.count == 0) return;
+    scanning_needed_ = feed_.vertices(scanning_.first, scanning_.count);
   }
 
   void prepare(std::size_t i, std::size_t thread) {
-    const std::size_t from = i * prepared_.share;
-    work_.assemble(feed_, prepared_.piece + i, prepared_.first + from,
-                   std::min(prepared_.share, prepared_.count - from));
-    cover(prepared_.piece + i, thread);
+    const std::size_t from = i * preparing_.share;
+    work_.assemble(feed_, preparing_.piece + i, preparing_.first + from,
+                   std::min(preparing_.share, preparing_.count - from));
+    cover(preparing_.piece + i, thread);
   }
 
   Work& work_;
   const Feed& feed_;
   std::size_t index_ = 0;
-  Round coming_, arriving_, prepared_, drawn_;
+  Round scanning_, projecting_, preparing_, drawing_;
   std::size_t projected_ = 0;  // vertices
   std::size_t needed_ = 0;
-  std::size_t coming_needed_ = 0;
+  std::size_t scanning_needed_ = 0;
   std::size_t range_ = 1;
   std::size_t bands_ = 0;
   Step step_ = Step::kAll;
-  std::size_t draw_begin_ = 0;  // of drawn_'s pieces
+  std::size_t draw_begin_ = 0;  // of drawing_'s pieces
   std::size_t draw_end_ = 0;
 };
 

@@ -46,7 +46,7 @@ FrameConstants frame_constants(const FrameState& frame, const Config& config,
 
 // Rows of tiles that a thread draws at a time: a triangle in two rows is then mostly one thread's,
 // and there are enough bands for everyone.
-FrameBins::Grid frame_grid(const FrameStore& store, int threads) {
+FrameBuckets::Grid frame_grid(const FrameStore& store, int threads) {
   const std::uint32_t share = store.rows() / (8 * static_cast<std::uint32_t>(threads));
   const std::uint32_t band = threads == 1 ? store.rows() : std::clamp(share, 1u, 4u);
   return {store.columns(), store.rows(), band};
@@ -63,7 +63,7 @@ FrameEngine::Work::Work(const FrameState& frame, const Config& config, const Fra
       grid_(frame_grid(store_, options.threads)),
       passed_(static_cast<std::size_t>(options.threads)),
       counts_(passed_.size()),
-      scratch_(passed_.size(), FrameBins::Scratch(store_.tiles_total())) {
+      scratch_(passed_.size(), FrameBuckets::Scratch(store_.tiles_total())) {
   const std::size_t threads = passed_.size();
   for (std::size_t i = 0; i < (threads == 1 ? 1 : 2 * threads * kPiecesPerThread); ++i) {
     pieces_.emplace_back(frame, config, kernels_);
@@ -76,7 +76,7 @@ FrameEngine::Work::Work(const FrameState& frame, const Config& config, const Fra
 void FrameEngine::Work::clear() {
   store_.clear();
   if (std::exchange(drawing_, false)) {
-    for (FrameBins::Scratch& scratch : scratch_) std::fill(scratch.begin(), scratch.end(), 0u);
+    for (FrameBuckets::Scratch& scratch : scratch_) std::fill(scratch.begin(), scratch.end(), 0u);
     for (PassedTiles& passed : passed_) std::fill(passed.slot.begin(), passed.slot.end(), 0u);
   }
   add_counts();  // of a draw that threw
@@ -164,8 +164,8 @@ void FrameEngine::Work::draw_tiles(const FramePiece& piece, std::uint32_t band,
   FrameCounts& counts = counts_[thread];
   passed.count = 0;
   if (passed.slot.size() < piece.triangle_count()) passed.slot.resize(2 * piece.triangle_count());
-  if (piece.bins().filled()) {
-    kernels_.bins(constants_, piece.bins().range(band), store_, passed, counts);
+  if (piece.buckets().filled()) {
+    kernels_.buckets(constants_, piece.buckets().range(band), store_, passed, counts);
     if (passed.count > 0) kernels_.shade(constants_, piece.triangles(), store_, passed);
     return;
   }

@@ -59,19 +59,19 @@ class FrameEngine::Work {
   ProjectConstants project_;
   const simd::FrameKernels& kernels_;
   FrameStore store_;
-  FrameBins::Grid grid_;  // bands: rows of tiles that one thread draws at a time
+  FrameBuckets::Grid grid_;  // bands: rows of tiles that one thread draws at a time
   RasterStats stats_;
   RasterStats setup_;  // already in stats_, of the engines' own counts
   GeometryStats geometry_sum_;
   bool drawing_ = false;  // also after a draw that threw
   std::vector<VertexRecord> records_;
-  std::vector<FramePiece> pieces_;           // two rounds of them, or one piece for one thread
-  std::vector<GeometryStage> plain_;         // one per piece
-  std::vector<GeometryStats> geometry_;      // of what plain_ did not see
-  std::vector<HitPlane> hits_;               // one per thread
-  std::vector<PassedTiles> passed_;          // one per thread
-  std::vector<FrameCounts> counts_;          // one per thread
-  std::vector<FrameBins::Scratch> scratch_;  // one per thread
+  std::vector<FramePiece> pieces_;              // two rounds of them, or one piece for one thread
+  std::vector<GeometryStage> plain_;            // one per piece
+  std::vector<GeometryStats> geometry_;         // of what plain_ did not see
+  std::vector<HitPlane> hits_;                  // one per thread
+  std::vector<PassedTiles> passed_;             // one per thread
+  std::vector<FrameCounts> counts_;             // one per thread
+  std::vector<FrameBuckets::Scratch> scratch_;  // one per thread
 };
 
 }  // namespace halfspace

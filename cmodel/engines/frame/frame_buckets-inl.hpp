@@ -2,11 +2,11 @@
 //
 // The depth test of one sample, tile by tile: a tile's depths are read and written once for all of
 // its triangles.
-#if defined(HALFSPACE_SIMD_FRAME_BINS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HALFSPACE_SIMD_FRAME_BINS_INL
-#undef HALFSPACE_SIMD_FRAME_BINS_INL
+#if defined(HALFSPACE_SIMD_FRAME_BUCKETS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HALFSPACE_SIMD_FRAME_BUCKETS_INL
+#undef HALFSPACE_SIMD_FRAME_BUCKETS_INL
 #else
-#define HALFSPACE_SIMD_FRAME_BINS_INL
+#define HALFSPACE_SIMD_FRAME_BUCKETS_INL
 #endif
 
 #include "frame_depth-inl.hpp"
@@ -64,9 +64,10 @@ HWY_INLINE void bin_depths(const DepthTest& test, const BinRecord* HWY_RESTRICT 
 
 // Fetches a tile, depths and colours, that is needed kAhead tiles later.
 inline constexpr std::size_t kAhead = 6;
-HWY_INLINE void fetch_ahead(const BinRange& bins, std::size_t t, const FrameStore::Tiles& memory) {
-  if (t + kAhead >= bins.count) return;
-  const std::uint32_t place = bins.tiles[t + kAhead].place;
+HWY_INLINE void fetch_ahead(const BinRange& buckets, std::size_t t,
+                            const FrameStore::Tiles& memory) {
+  if (t + kAhead >= buckets.count) return;
+  const std::uint32_t place = buckets.tiles[t + kAhead].place;
   const std::uint32_t* const row = memory.rows[place >> 16];
   if (row == nullptr) return;
   const std::uint32_t* const at = row + (place & 0xffff) * memory.tile_words;
@@ -90,12 +91,12 @@ template <int kGridLog2, bool kLess>
 HWY_NOINLINE void bin_tiles(const FrameConstants& c, const BinRange& range, FrameStore& store,
                             PassedTiles& out, FrameCounts& counts) {
   const DepthTest test = depth_constants(c);
-  const BinRange bins = range;
+  const BinRange buckets = range;
   FrameStore::Tiles memory = store.tiles();
   constexpr std::size_t kTile = std::size_t{1} << (2 * kGridLog2);
   const auto background = hn::Set(DU(), store.background());
-  std::size_t begin = bins.begin;
-  const std::size_t total = bins.count == 0 ? 0 : bins.tiles[bins.count - 1].end - begin;
+  std::size_t begin = buckets.begin;
+  const std::size_t total = buckets.count == 0 ? 0 : buckets.tiles[buckets.count - 1].end - begin;
   out.reserve(total + 1, 1);
   if (out.won.size() < total) out.won.resize(2 * total);
   std::uint64_t* const won = out.won.data();
@@ -103,11 +104,11 @@ HWY_NOINLINE void bin_tiles(const FrameConstants& c, const BinRange& range, Fram
   std::size_t found = out.count;
   std::uint64_t fragments = 0;
   std::uint64_t shaded = 0;
-  for (std::size_t t = 0; t < bins.count; ++t) {
-    const std::uint32_t place = bins.tiles[t].place;
-    fetch_ahead(bins, t, memory);
-    const BinRecord* const records = bins.records + begin;
-    const std::size_t count = bins.tiles[t].end - begin;
+  for (std::size_t t = 0; t < buckets.count; ++t) {
+    const std::uint32_t place = buckets.tiles[t].place;
+    fetch_ahead(buckets, t, memory);
+    const BinRecord* const records = buckets.records + begin;
+    const std::size_t count = buckets.tiles[t].end - begin;
     begin += count;
     const std::uint64_t open_here = open_lanes(c, place);
     if (~open_here != 0 && is_hidden(records, count, open_here, fragments)) continue;
@@ -134,14 +135,14 @@ HWY_NOINLINE void bin_tiles(const FrameConstants& c, const BinRange& range, Fram
   counts.shaded += shaded;
 }
 
-void Bins(const FrameConstants& c, const BinRange& bins, FrameStore& store, PassedTiles& out,
-          FrameCounts& counts) {
+void Buckets(const FrameConstants& c, const BinRange& buckets, FrameStore& store, PassedTiles& out,
+             FrameCounts& counts) {
   if (c.config.grid_log2 == 3) {
-    only_less(c) ? bin_tiles<3, true>(c, bins, store, out, counts)
-                 : bin_tiles<3, false>(c, bins, store, out, counts);
+    only_less(c) ? bin_tiles<3, true>(c, buckets, store, out, counts)
+                 : bin_tiles<3, false>(c, buckets, store, out, counts);
   } else {
-    only_less(c) ? bin_tiles<2, true>(c, bins, store, out, counts)
-                 : bin_tiles<2, false>(c, bins, store, out, counts);
+    only_less(c) ? bin_tiles<2, true>(c, buckets, store, out, counts)
+                 : bin_tiles<2, false>(c, buckets, store, out, counts);
   }
 }
 

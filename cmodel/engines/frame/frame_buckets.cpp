@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "frame_bins.hpp"
+#include "frame_buckets.hpp"
 
 #include "../coverage/coverage_chunk.hpp"
 
@@ -13,7 +13,7 @@ constexpr std::size_t tile_index(std::uint32_t place, std::uint32_t columns) {
 }  // namespace
 
 // Counts the records of each tile, and lists the tiles; 0 when there are too many records.
-std::size_t FrameBins::count(const FrameTiles& tiles, std::uint32_t columns, Scratch& scratch) {
+std::size_t FrameBuckets::count(const FrameTiles& tiles, std::uint32_t columns, Scratch& scratch) {
   tile_.resize(kMostRecords + 1);
   BinTile* const list = tile_.data();
   std::uint32_t* const of_tile = scratch.data();
@@ -45,7 +45,7 @@ std::size_t FrameBins::count(const FrameTiles& tiles, std::uint32_t columns, Scr
 }
 
 // Keeps the order of tiles within a band.
-void FrameBins::sort_by_band(const Grid& grid) {
+void FrameBuckets::sort_by_band(const Grid& grid) {
   band_.assign(grid.bands() + 1, 0);
   if (grid.bands() == 1) {
     band_[1] = static_cast<std::uint32_t>(tiles_);
@@ -61,8 +61,8 @@ void FrameBins::sort_by_band(const Grid& grid) {
   tile_.swap(sorted_);
 }
 
-bool FrameBins::fill(const FrameTiles& tiles, const FrameConstants& constants, const Grid& grid,
-                     Scratch& scratch) {
+bool FrameBuckets::fill(const FrameTiles& tiles, const FrameConstants& constants, const Grid& grid,
+                        Scratch& scratch) {
   band_.clear();
   const std::size_t total = count(tiles, grid.columns, scratch);
   if (total == 0) return false;
@@ -103,7 +103,7 @@ bool FrameBins::fill(const FrameTiles& tiles, const FrameConstants& constants, c
   return true;
 }
 
-BinRange FrameBins::range(std::uint32_t band) const {
+BinRange FrameBuckets::range(std::uint32_t band) const {
   const std::size_t first = band_[band];
   return {tile_.data() + first, band_[band + 1] - first, first == 0 ? 0 : tile_[first - 1].end,
           record_.data()};

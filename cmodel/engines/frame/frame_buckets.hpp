@@ -10,7 +10,7 @@ namespace halfspace {
 
 // The records of a piece sorted by tile, in triangle order within a tile, with what the depth test
 // needs of their triangles. One sample only.
-class FrameBins {
+class FrameBuckets {
  public:
   // More tiles than this are not sorted: they would leave the second-level cache.
   static constexpr std::size_t kMostRecords = 1 << 15;
