@@ -26,7 +26,7 @@ std::vector<std::string_view> coverage_isas();
 //
 // Same set of (x, y, masks) per triangle as rasterize(), always, on every instruction set and in
 // the same order of triangles. Runs of full tiles are one record. Keeps buffers, no other state:
-// one engine per thread. Method and proofs: docs/03_design/batch.md.
+// one engine per thread. Method and proofs: docs/03_design/coverage_engine.md.
 class CoverageEngine {
  public:
   CoverageEngine(const FrameState& frame, const Config& config, std::string_view isa = {});

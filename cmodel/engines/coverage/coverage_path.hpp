@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Which arithmetic finds the crossings of an edge with the pixel rows, and the bounds that allow
-// it. Proofs: docs/03_design/batch.md.
+// it. Proofs: docs/03_design/coverage_engine.md.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Triangle setup, second half: crossings, rows and windows of a vector of triangles.
-// docs/03_design/batch.md has the formulas.
+// docs/03_design/coverage_engine.md has the formulas.
 #if defined(HALFSPACE_SIMD_SETUP_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef HALFSPACE_SIMD_SETUP_INL
 #undef HALFSPACE_SIMD_SETUP_INL

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Level cycle, fast: CycleModel's packets and clocks, many triangles at a time.
-// How: docs/03_design/cycle.md. Must equal: CycleModel (cycle_model.hpp).
+// How: docs/03_design/cycle_engine.md. Must equal: CycleModel (cycle_model.hpp).
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Triangle setup, 64 triangles at a time, in plain loops that the compiler vectorizes for the
-// instruction set it is in. docs/03_design/cycle.md has what differs from triangle_setup().
+// instruction set it is in. docs/03_design/cycle_engine.md has what differs from triangle_setup().
 #if defined(HALFSPACE_CYCLE_SETUP_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef HALFSPACE_CYCLE_SETUP_INL
 #undef HALFSPACE_CYCLE_SETUP_INL

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The rules of time, and two closed forms of them for when nothing stalls. Proofs:
-// docs/03_design/cycle.md. Must equal: the calls of Timing that each stands for.
+// docs/03_design/cycle_engine.md. Must equal: the calls of Timing that each stands for.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Whole frames at level bit, by SIMD: geometry, coverage, depth, colour. Byte for byte what
-// GeometryStage and Rasterizer make. Page: docs/03_design/frame.md.
+// GeometryStage and Rasterizer make. Page: docs/03_design/frame_engine.md.
 #pragma once
 
 #include <functional>

@@ -104,7 +104,7 @@ HWY_INLINE Divisor divisor(const Divider& divide, VI inverse_w) {
 HWY_INLINE VU over(const Divider& divide, const Divisor& by, VI attribute) {
   const VI p = hn::Min(hn::Max(attribute, hn::Zero(DI())), by.u);
   const VU numerator = hn::ShiftRight<16>(by.normalize(hn::BitCast(DU(), p)));
-  // Below 2^31 + 2^22: docs/03_design/frame.md.
+  // Below 2^31 + 2^22: docs/03_design/frame_engine.md.
   const VU product = hn::Add(hn::Mul(numerator, by.reciprocal), divide.round);
   return hn::Min(hn::ShiftRightSame(product, divide.result_shift), hn::Set(DU(), 255));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Planes of interpolation_setup() and tile_plane() for FrameTriangles. Proofs:
-// docs/03_design/frame.md.
+// docs/03_design/frame_engine.md.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What passes between the steps of the frame engine. Page: docs/03_design/frame.md.
+// What passes between the steps of the frame engine. Page: docs/03_design/frame_engine.md.
 #pragma once
 
 #include <array>
