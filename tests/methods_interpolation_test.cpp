@@ -3,7 +3,7 @@
 // How far attributes and lines are from the truth, by the bits that they are given.
 #include <cmath>
 
-#include "methods/shading.hpp"
+#include "methods/attribute_shading.hpp"
 #include "methods_support.hpp"
 #include "vectors/generators.hpp"
 

@@ -2,7 +2,7 @@
 //
 // Gouraud shading with a z-buffer: coverage is exact in all variants, they differ in how an
 // attribute gets from the vertices to a pixel.
-#include "shading.hpp"
+#include "attribute_shading.hpp"
 
 #include <cmath>
 
