@@ -31,15 +31,14 @@ FrameState checked(const hs_frame& request, const Config& config) {
 }
 
 DepthState depth_state(const hs_frame& request, const Config& config) {
-  DepthState out(static_cast<DepthFunction>(request.depth_function));
-  if ((request.flags & HS_DEPTH_CLEAR) == 0) return out;
+  const auto function = static_cast<DepthFunction>(request.depth_function);
+  if ((request.flags & HS_DEPTH_CLEAR) == 0) return {function};
   if (request.depth_clear > config.depth_max()) {
     throw Refusal(HS_ERROR_RANGE, "depth_clear = " + std::to_string(request.depth_clear) +
                                       " is out of range (0.." + std::to_string(config.depth_max()) +
                                       ")");
   }
-  out.clear = request.depth_clear;
-  return out;
+  return {function, request.depth_clear};
 }
 
 std::optional<Box> scissor_box(const hs_frame& request) {
