@@ -94,7 +94,7 @@ TEST_F(Ply, StripsTurnEveryOtherTriangleAndStartAgainAtMinusOne) {
       SCOPED_TRACE(std::string(format) + " " + type);
       Data data(format);
       for (const auto& c : kSquare) data.put("float", c[0]).put("float", c[1]).put("float", c[2]);
-      const Type& as = type_of(type);
+      const Type as = type_of(type);
       const double end =
           as.is_signed ? -1.0 : std::pow(2.0, 8.0 * static_cast<double>(as.size)) - 1;
       data.put("int", 13);
