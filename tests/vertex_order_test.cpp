@@ -30,9 +30,10 @@ std::vector<Seen> fragments(const std::vector<ShadedTriangle>& pieces, const Fra
                             const Config& config) {
   std::vector<Seen> out;
   Rasterizer rasterizer(frame, config, DepthFunction::kAlways, {});
-  rasterizer.on_fragment([&](const Fragment& f) {
+  const auto keep = [&out](const Fragment& f) {
     out.push_back({f.x, f.y, f.covered, f.passed, f.color, f.depth});
-  });
+  };
+  rasterizer.on_fragment(keep);
   for (const ShadedTriangle& piece : pieces) rasterizer.draw(piece);
   return out;
 }

@@ -18,7 +18,7 @@ using Identity = std::array<std::int64_t, 5>;
 
 // stream: the descriptor that "-" stands for.
 std::optional<Identity> identity_of(const std::string& path, int stream) {
-  struct stat s {};
+  struct stat s = {};
   const bool found =
       path == kStandardStream ? ::fstat(stream, &s) == 0 : ::stat(path.c_str(), &s) == 0;
   if (!found || !S_ISREG(s.st_mode)) return std::nullopt;

@@ -7,6 +7,8 @@
 namespace halfspace {
 namespace {
 
+using Axis = std::int32_t Point::*;  // x or y
+
 using Triangles = std::vector<ShadedTriangle>;
 
 // Legal input to triangle_setup.
@@ -68,7 +70,7 @@ class Shrinker {
     bool changed = false;
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       for (const unsigned vertices : {7u, 3u, 5u, 6u, 1u, 2u, 4u}) {
-        for (std::int32_t Point::*axis : {&Point::x, &Point::y}) {
+        for (const Axis axis : {&Point::x, &Point::y}) {
           while (reduce(t, vertices, axis)) changed = true;
         }
       }
@@ -77,7 +79,7 @@ class Shrinker {
   }
 
   // By the greatest of a few steps with which it still fails.
-  bool reduce(std::size_t t, unsigned vertices, std::int32_t Point::*axis) {
+  bool reduce(std::size_t t, unsigned vertices, Axis axis) {
     const std::int32_t pixel = 1 << config_.subpixel_bits;
     for (std::size_t v = 0; v < 3; ++v) {
       if ((vertices >> v & 1) == 0) continue;
