@@ -98,7 +98,7 @@ class Cutter {
     }
     pieces_ = {};
     Ring left = ring_;
-    while (left.count() >= 3 && (cut_flat(left) || cut_ear(left))) continue;
+    while (left.count() >= 3 && cut_ear(left)) continue;
     if (left.count() < 3) return;
     add_largest([this](const Piece& piece) { return is_inside(piece); });
     add_largest([this](const Piece& piece) { return winding_at_middle(piece) > 0; });
@@ -118,21 +118,12 @@ class Cutter {
     return true;
   }
 
-  // A vertex between two others, or at the end of a spike.
-  static bool cut_flat(Ring& left) {
-    for (std::size_t i = 0; i < left.count(); ++i) {
-      if (turn_at(left, i) != 0) continue;
-      left.remove(i);
-      return true;
-    }
-    return false;
-  }
-
-  // Always there when no edges cross.
+  // Always there when no edges cross, until what is left has no area.
   bool cut_ear(Ring& left) {
     for (std::size_t i = 0; i < left.count(); ++i) {
-      if (turn_at(left, i) <= 0) continue;
-      const Piece ear{left.place(i + left.count() - 1), left.place(i), left.place(i + 1)};
+      const std::size_t before = i + left.count() - 1;
+      if (turn(left.at(before), left.at(i), left.at(i + 1)) <= 0) continue;
+      const Piece ear{left.place(before), left.place(i), left.place(i + 1)};
       if (!is_inside(ear) || !is_apart(ear)) continue;
       pieces_.add(ear);
       left.remove(i);
@@ -164,9 +155,6 @@ class Cutter {
     }
   }
 
-  static std::int64_t turn_at(const Ring& ring, std::size_t i) {
-    return turn(ring.at(i + ring.count() - 1), ring.at(i), ring.at(i + 1));
-  }
   const Point& point(const Piece& piece, std::size_t i) const { return points_[piece[i % 3]]; }
 
   // No edge passes through the piece, and the polygon goes around it.
@@ -190,7 +178,8 @@ class Cutter {
     return !left && !right;
   }
 
-  // How often the polygon goes around the piece's middle, which is on no edge: three times as fine.
+  // How often the polygon goes around the piece's middle, in thirds of a subpixel. On an edge,
+  // which only a piece that an edge passes through may be: around one side of it.
   int winding_at_middle(const Piece& piece) const {
     const auto sum = [&](auto axis) {
       return std::int64_t{point(piece, 0).*axis} + point(piece, 1).*axis + point(piece, 2).*axis;

@@ -33,7 +33,7 @@ struct Pieces {
 //   ring    3 to 10 vertices, subpixels, |x|, |y| <= 2^28; in order around the polygon, which
 //           snapping may have dented. Equal ones may stand in it.
 //   return  pieces with an area; none when the polygon has none
-//   cost    a fan when the polygon is convex; else O(n^4)
+//   cost    a fan when the polygon is convex; else O(n^5), n <= 10
 Pieces polygon_pieces(std::span<const Point> ring);
 
 }  // namespace halfspace

@@ -212,6 +212,19 @@ TEST(PolygonPieces, AFoldedEndLeavesTheRest) {
   EXPECT_EQ(corners(ring).size(), 1u);
 }
 
+// Edges cross; what is inside is taken before what reaches out, and what is outside is not.
+TEST(PolygonPieces, PiecesThatFitInsideComeFirst) {
+  const std::vector<Point> where = probes(6);
+  for (Points ring : {Points{{1, 6}, {0, 4}, {4, 2}, {2, 4}, {1, 4}, {3, 2}},
+                      Points{{5, 0}, {4, 1}, {0, 1}, {5, 6}, {3, 1}, {2, 0}}}) {
+    for (Point& p : ring) p = {p.x * kUnit, p.y * kUnit};
+    Seen seen;
+    check(ring, where, seen);
+    EXPECT_GT(seen.covered, 10) << text(ring);
+    EXPECT_EQ(seen.added, 0) << text(ring);
+  }
+}
+
 TEST(PolygonPieces, ConvexOnesAreAFan) {
   const Points square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   EXPECT_EQ(corners(square), (std::vector<Corners>{{Point{0, 0}, Point{4, 0}, Point{4, 4}},
