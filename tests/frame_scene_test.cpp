@@ -211,22 +211,6 @@ TEST(FrameScene, DrawsAddUp) {
   EXPECT_EQ(whole.geometry(), parts.geometry());
 }
 
-TEST(FrameScene, PicturesInBothFormatsAgree) {
-  for (const Config& config : {kFull, kMsaa4, kTiny}) {
-    const FrameState frame{117, 61, Cull::kNone};
-    const ShadedMesh mesh = scene("teapot.obj", frame, {});
-    FrameEngine engine(frame, config);
-    engine.draw(mesh.view(), mesh.matrix);
-    std::vector<std::uint32_t> rgba(117 * 61);
-    engine.framebuffer().resolve_rgba(rgba);
-    const Image image = engine.framebuffer().resolve();
-    for (std::size_t i = 0; i < rgba.size(); ++i) {
-      const Rgb p = image.pixel[i];
-      ASSERT_EQ(rgba[i], 0xff000000u | unsigned{p[2]} << 16 | unsigned{p[1]} << 8 | p[0]);
-    }
-  }
-}
-
 // More tiles than a piece sorts, between draws that it does sort.
 TEST(FrameScene, LargeTrianglesAndSmallOnesMix) {
   const FrameState frame{801, 603, Cull::kNone};

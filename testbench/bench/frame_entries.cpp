@@ -38,30 +38,28 @@ BenchOutput draw_by_stages(const Workload& work) {
   return {rasterizer.stats().samples_covered, {}, {}, rasterizer.framebuffer().resolve(), {}};
 }
 
-// The same frame by FrameEngine, into 32-bit pixels that are kept from frame to frame, as the
-// engine keeps its memory.
+// The same frame by FrameEngine, which keeps its memory and the picture from frame to frame.
 class EngineFrame {
  public:
   EngineFrame(const Workload& work, const std::string& isa, int threads)
-      : work_(work),
-        engine_(work.frame, kBenchConfig, options(isa, threads)),
-        pixels_(static_cast<std::size_t>(work.frame.width) *
-                static_cast<std::size_t>(work.frame.height)) {}
+      : work_(work), engine_(work.frame, kBenchConfig, options(isa, threads)) {}
 
-  void run() {
+  PictureView run() {
     engine_.clear();
     engine_.draw(MeshView{work_.mesh->positions, work_.mesh->colors, work_.mesh->triangles},
                  work_.mesh->matrix);
-    engine_.resolve_rgba(pixels_);
+    return engine_.picture();
   }
 
   BenchOutput count() {
-    run();
+    const PictureView view = run();
     Image picture{work_.frame.width, work_.frame.height, {}};
-    for (const std::uint32_t pixel : pixels_) {
-      picture.pixel.push_back({static_cast<std::uint8_t>(pixel),
-                               static_cast<std::uint8_t>(pixel >> 8),
-                               static_cast<std::uint8_t>(pixel >> 16)});
+    for (std::size_t y = 0; y < view.height; ++y) {
+      for (const std::uint32_t pixel : view.line(y)) {
+        picture.pixel.push_back({static_cast<std::uint8_t>(pixel),
+                                 static_cast<std::uint8_t>(pixel >> 8),
+                                 static_cast<std::uint8_t>(pixel >> 16)});
+      }
     }
     return {engine_.stats().samples_covered, {}, {}, std::move(picture), {}};
   }
@@ -78,7 +76,6 @@ class EngineFrame {
 
   const Workload& work_;
   FrameEngine engine_;
-  std::vector<std::uint32_t> pixels_;
 };
 
 }  // namespace

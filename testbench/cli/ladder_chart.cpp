@@ -56,14 +56,12 @@ Measured measure_frame(const std::vector<ShadedTriangle>& triangles, const Frame
   FrameOptions options;
   options.count_hits = true;
   FrameEngine engine(frame, config, options);
-  std::vector<std::uint32_t> pixels(static_cast<std::size_t>(frame.width) *
-                                    static_cast<std::size_t>(frame.height));
   Measured best;
   for (int n = 0; n < kRepetitions; ++n) {
     const double start = cpu_seconds();
     engine.clear();
     engine.draw(triangles);
-    engine.resolve_rgba(pixels);
+    engine.picture();
     best.seconds = std::min(best.seconds, cpu_seconds() - start);
   }
   best.stats.raster = engine.stats();

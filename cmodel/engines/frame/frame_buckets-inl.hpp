@@ -62,7 +62,7 @@ HWY_INLINE void bin_depths(const DepthTest& test, const BinRecord* HWY_RESTRICT 
 #endif
 }
 
-// Fetches a tile, depths and colours, that is needed kAhead tiles later.
+// Fetches the depths of a tile that is needed kAhead tiles later.
 inline constexpr std::size_t kAhead = 6;
 HWY_INLINE void fetch_ahead(const BinRange& buckets, std::size_t t,
                             const FrameStore::Tiles& memory) {
@@ -93,8 +93,6 @@ HWY_NOINLINE void bin_tiles(const FrameConstants& c, const BinRange& range, Fram
   const DepthTest test = depth_constants(c);
   const BinRange buckets = range;
   FrameStore::Tiles memory = store.tiles();
-  constexpr std::size_t kTile = std::size_t{1} << (2 * kGridLog2);
-  const auto background = hn::Set(DU(), store.background());
   std::size_t begin = buckets.begin;
   const std::size_t total = buckets.count == 0 ? 0 : buckets.tiles[buckets.count - 1].end - begin;
   out.reserve(total + 1, 1);
@@ -115,9 +113,7 @@ HWY_NOINLINE void bin_tiles(const FrameConstants& c, const BinRange& range, Fram
     bool is_new = false;
     std::uint32_t* const stored = memory.tile(place & 0xffff, place >> 16, is_new);
     bin_depths<kGridLog2, kLess>(test, records, count, open_here, is_new, stored, won);
-    for (std::size_t lane = 0; is_new && lane < kTile; lane += kLanes) {
-      hn::Store(background, DU(), stored + kTile + lane);
-    }
+    const std::size_t first = found;
     std::uint64_t open = ~std::uint64_t{0};  // pixels that no later record has
     for (std::size_t r = count; r-- > 0;) {
       const std::uint64_t last = won[r] & open;
@@ -127,6 +123,9 @@ HWY_NOINLINE void bin_tiles(const FrameConstants& c, const BinRange& range, Fram
       passed[found] = {place, records[r].triangle, last};
       found += last != 0;
     }
+    if (!is_new) continue;
+    passed[first].place = place | PassedTile::kFresh;
+    if (found == first) store.clear_pixels(place & 0xffff, place >> 16);
   }
   out.count = found;
   counts.tiles += total;

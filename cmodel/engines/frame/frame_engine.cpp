@@ -25,9 +25,7 @@ void FrameEngine::draw(const MeshView& mesh, const glm::dmat4& matrix) {
   work_->draw(VertexSource{{}, mesh.positions, mesh.colors, matrix}, mesh.triangles);
 }
 
-void FrameEngine::resolve_rgba(std::span<std::uint32_t> pixels) const {
-  work_->resolve_rgba(pixels);
-}
+PictureView FrameEngine::picture() { return work_->picture(); }
 const FrameStore& FrameEngine::framebuffer() const { return work_->store(); }
 const RasterStats& FrameEngine::stats() const { return work_->stats(); }
 const GeometryStats& FrameEngine::geometry() const { return work_->geometry(); }

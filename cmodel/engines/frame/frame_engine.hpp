@@ -76,8 +76,9 @@ class FrameEngine {
   // added, columns times z and 1 added, then both sums.
   void draw(const MeshView& mesh, const glm::dmat4& matrix);
 
-  // framebuffer().resolve_rgba(pixels) by SIMD and, with several, by all threads.
-  void resolve_rgba(std::span<std::uint32_t> pixels) const;
+  // framebuffer().resolve() as 32-bit pixels, in memory that the engine keeps from frame to frame:
+  // only tiles drawn to in this frame or the last one are written.
+  PictureView picture();
 
   const FrameStore& framebuffer() const;
   const RasterStats& stats() const;

@@ -18,15 +18,13 @@
 #include "frame_buckets-inl.hpp"
 #include "frame_depth-inl.hpp"
 #include "frame_project-inl.hpp"
-#include "frame_resolve-inl.hpp"
 #include "frame_shade-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace halfspace::simd::HWY_NAMESPACE {
 
 static constexpr FrameKernels kernels(std::string_view isa) {
-  return {isa,      &Highest, &Project, &Planes,    &Depth,
-          &Buckets, &Shade,   &Resolve, &ShadeOnly, &Divide};
+  return {isa, &Highest, &Project, &Planes, &Depth, &Buckets, &Shade, &ShadeOnly, &Divide};
 }
 
 }  // namespace halfspace::simd::HWY_NAMESPACE
@@ -42,7 +40,7 @@ std::span<const FrameKernels> frame_kernels() {
   static constexpr Candidate<FrameKernels> kCandidates[] = {
       HS_COMPILED{0,
                   {"scalar", &highest_scalar, &project_scalar, &planes_scalar, &depth_scalar,
-                   nullptr, &shade_scalar, nullptr, &shade_planes_scalar, &divide_scalar}}};
+                   nullptr, &shade_scalar, &shade_planes_scalar, &divide_scalar}}};
   return runnable(kCandidates);
 }
 

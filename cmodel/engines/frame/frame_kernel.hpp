@@ -48,10 +48,6 @@ using ShadeKernel = void (*)(const FrameConstants& constants, const FrameTriangl
 using ProjectKernel = void (*)(const ProjectConstants& constants, const VertexSource& source,
                                std::size_t first, std::size_t count, VertexRecord* out);
 
-// The pixels of a row of tiles, one sample, to its lines, which are `width` pixels apart.
-// stream: background is written past the caches, for pictures that do not fit them.
-using ResolveKernel = void (*)(const StoreRow& row, bool stream, std::uint32_t* to);
-
 // Parts of the colour kernel, for tests: the planes of `count` triangles, and `count` divisions.
 using ShadePlaneKernel = void (*)(const FrameConstants& constants, const FrameTriangle* triangles,
                                   std::size_t count, ShadePlanes* out);
@@ -72,7 +68,6 @@ struct FrameKernels {
   DepthKernel depth;
   BinKernel buckets;  // null: there is none
   ShadeKernel shade;
-  ResolveKernel resolve;  // null: there is none
   ShadePlaneKernel shade_planes;
   DivideKernel divide;
 };

@@ -79,7 +79,10 @@ inline FrameTriangle frame_triangle(const VertexRecord* a, const VertexRecord* b
 
 // A tile of a triangle with a sample that passed the depth test.
 struct PassedTile {
-  std::uint32_t place = 0;     // tile row << 16 | tile column
+  // Of a new tile's first entry, from the bucket kernel: its pixels are still to be cleared.
+  static constexpr std::uint32_t kFresh = 0x80000000u;
+
+  std::uint32_t place = 0;     // tile row << 16 | tile column, with kFresh or without
   std::uint32_t triangle = 0;  // index of the FrameTriangle, later of its ShadePlanes
   std::uint64_t passed = 0;    // lanes with any sample that passed
 };

@@ -143,6 +143,7 @@ void shade_scalar(const FrameConstants& constants, const FrameTriangle* triangle
   const auto samples = static_cast<std::size_t>(constants.samples);
   const auto lanes = static_cast<std::size_t>(constants.config.lanes());
   const int grid = constants.config.grid();
+  const FrameStore::Tiles memory = store.tiles();
   ShadePlanes planes;
   std::uint32_t ready = ~0u;
   for (std::size_t k = 0; k < passed.count; ++k) {
@@ -151,7 +152,9 @@ void shade_scalar(const FrameConstants& constants, const FrameTriangle* triangle
       ready = tile.triangle;
       planes = plain_shade_planes(triangles[ready], constants);
     }
-    std::uint32_t* stored = store.tile(tile.place & 0xffff, tile.place >> 16) + samples * lanes;
+    const std::uint32_t column = tile.place & 0xffff, row = tile.place >> 16;
+    std::uint32_t* const pixels = memory.pixels(column, row);
+    std::uint32_t* const stored = memory.at(column, row) + samples * lanes;  // samples > 1
     for (std::uint64_t rest = tile.passed; rest != 0; rest &= rest - 1) {
       const int lane = std::countr_zero(rest);
       const int sample =
@@ -169,8 +172,13 @@ void shade_scalar(const FrameConstants& constants, const FrameTriangle* triangle
         const auto level = static_cast<std::uint8_t>(planes.level >> (8 * n));
         color |= std::uint32_t{perspective(at(n), at(3), level, constants.config)} << (8 * n);
       }
+      if (samples == 1) {
+        const int x = lane & (grid - 1), y = lane >> constants.config.grid_log2;
+        pixels[static_cast<std::size_t>(y) * memory.stride + static_cast<std::size_t>(x)] = color;
+        continue;
+      }
       for (std::size_t m = 0; m < samples; ++m) {
-        const std::uint64_t mask = samples == 1 ? tile.passed : passed.passed[k * samples + m];
+        const std::uint64_t mask = passed.passed[k * samples + m];
         if ((mask >> lane & 1) != 0) stored[m * lanes + static_cast<std::size_t>(lane)] = color;
       }
     }

@@ -9,6 +9,7 @@
 #endif
 
 #include "frame_perspective-inl.hpp"
+#include "frame_pixels-inl.hpp"
 #include "frame_planes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -241,6 +242,16 @@ HWY_NOINLINE void shade_samples(const FrameConstants& frame, FrameStore& store,
   }
 }
 
+// A vector of colours into the picture, in the lanes of `bits`. The others keep what they have; in
+// a fresh tile that is the background.
+template <int kGridLog2>
+HWY_INLINE void put_colors(VU color, std::uint64_t bits, bool fresh, VU background,
+                           std::uint32_t* to, std::size_t stride) {
+  const VU old = fresh ? background : load_pixels<kGridLog2>(DU(), to, stride);
+  const auto mask = hn::RebindMask(DU(), mask_of(bits));
+  store_pixels<kGridLog2>(DU(), hn::IfThenElse(mask, color, old), to, stride);
+}
+
 // One sample: the lanes of a tile get their values triangle by triangle, and are divided together.
 template <int kGridLog2>
 HWY_NOINLINE void shade_tiles(const FrameConstants& frame, FrameStore& store,
@@ -252,9 +263,12 @@ HWY_NOINLINE void shade_tiles(const FrameConstants& frame, FrameStore& store,
   const PassedTile* at = passed.tile.data();
   const PassedTile* const end = at + passed.count;
   const ShadePlanes* const planes = passed.planes.data();
-  FrameStore::Tiles memory = store.tiles();
+  const FrameStore::Tiles memory = store.tiles();
+  const VU background = hn::Set(DU(), store.background());
   while (at != end) {
-    const std::uint32_t place = at->place;
+    const bool fresh = (at->place & PassedTile::kFresh) != 0;
+    const std::uint32_t place = at->place & ~PassedTile::kFresh;
+    const TilePixels pixels{memory.pixels(place & 0xffff, place >> 16), memory.stride};
     std::uint64_t any = 0;
     VI value[kVectors][kShades];
     VU level[kVectors];
@@ -262,14 +276,16 @@ HWY_NOINLINE void shade_tiles(const FrameConstants& frame, FrameStore& store,
       for (VI& shade : value[v]) shade = hn::Zero(DI());
       level[v] = hn::Zero(DU());
     }
-    for (; at != end && at->place == place; ++at) {
+    do {
       any |= at->passed;
       add_values<kGridLog2>(c, planes[at->triangle], place, at->passed, value, level);
-    }
-    std::uint32_t* const stored = memory.at(place & 0xffff, place >> 16) + kTile;
+      ++at;
+    } while (at != end && at->place == place);
     for (std::size_t v = 0; v < kVectors; ++v) {
       const std::uint64_t bits = any >> (v * kLanes) & kAllLanes;
-      if (bits != 0) store_colors(divided(divide, value[v], level[v]), bits, stored + v * kLanes);
+      if (bits == 0 && !fresh) continue;
+      put_colors<kGridLog2>(divided(divide, value[v], level[v]), bits, fresh, background,
+                            pixels.at<kGridLog2>(v * kLanes), pixels.stride);
     }
   }
 }

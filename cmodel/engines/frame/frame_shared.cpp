@@ -159,13 +159,14 @@ void FrameEngine::Work::draw_shared(const Feed& feed) {
 }
 
 // A band is enough for a task, and few enough tasks for any frame.
-void FrameEngine::Work::resolve_shared(std::span<std::uint32_t> pixels) const {
+void FrameEngine::Work::finish_shared() {
   bool planned = false;
   StepLine line([&] { return std::exchange(planned, true) ? 0 : grid_.bands(); });
   options_.run(options_.threads, [&](int) {
     line.work([&](std::size_t task) {
       const auto first = static_cast<std::uint32_t>(task) * grid_.band;
-      resolve_rows(first, std::min(first + grid_.band, grid_.rows), pixels);
+      const std::uint32_t last = std::min(first + grid_.band, grid_.rows);
+      for (std::uint32_t row = first; row < last; ++row) store_.finish_row(row);
     });
   });
 }

@@ -17,8 +17,8 @@ constexpr std::size_t kPieceRecords = 12288;
 // Tiles that are drawn together where they are not sorted, and a run's more: what is kept of them
 // between depth and colour does not grow with the triangles.
 constexpr std::size_t kSliceTiles = 1 << 11;
-// Pictures from here on are written past the caches.
-constexpr std::size_t kStreamedPixels = 1 << 20;
+// Tiles to finish that are worth a second thread, which takes some 30 us to start.
+constexpr std::size_t kSharedTiles = 1 << 13;
 // Kernels write whole vectors of records.
 constexpr std::size_t kVertexSlack = 16;
 
@@ -205,24 +205,14 @@ std::vector<std::uint8_t> FrameEngine::Work::hits() const {
   return sum.count();
 }
 
-void FrameEngine::Work::resolve_rows(std::uint32_t first, std::uint32_t last,
-                                     std::span<std::uint32_t> pixels) const {
-  for (std::uint32_t row = first; row < last; ++row) {
-    if (constants_.samples == 1 && kernels_.resolve != nullptr) {
-      const StoreRow tiles = store_.row(row);
-      kernels_.resolve(tiles, pixels.size() >= kStreamedPixels,
-                       pixels.data() + row * tiles.grid * tiles.width);
-    } else {
-      store_.resolve_row(row, pixels);
-    }
+PictureView FrameEngine::Work::picture() {
+  store_.make_picture();
+  if (options_.threads > 1 && store_.tiles_unfinished() >= kSharedTiles) {
+    finish_shared();
+  } else {
+    for (std::uint32_t row = 0; row < store_.rows(); ++row) store_.finish_row(row);
   }
-}
-
-void FrameEngine::Work::resolve_rgba(std::span<std::uint32_t> pixels) const {
-  HS_CHECK(pixels.size() == static_cast<std::size_t>(constants_.frame.width) *
-                                static_cast<std::size_t>(constants_.frame.height));
-  if (options_.threads == 1) return resolve_rows(0, store_.rows(), pixels);
-  resolve_shared(pixels);
+  return store_.picture();
 }
 
 // The kernels' counts; those of setup run on from the engines' first triangle.

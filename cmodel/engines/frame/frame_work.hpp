@@ -20,7 +20,7 @@ class FrameEngine::Work {
   void draw(std::span<const ShadedTriangle> triangles);
   void draw(const VertexSource& source, std::span<const TriangleIndices> triangles);
 
-  void resolve_rgba(std::span<std::uint32_t> pixels) const;
+  PictureView picture();
   const FrameStore& store() const { return store_; }
   const RasterStats& stats() const { return stats_; }
   const GeometryStats& geometry() const { return geometry_sum_; }
@@ -49,8 +49,7 @@ class FrameEngine::Work {
   void assemble(const Feed& feed, std::size_t piece, std::size_t first, std::size_t count);
   void tell(FramePiece& piece) const;
   void draw_tiles(const FramePiece& piece, std::uint32_t band, std::size_t thread);
-  void resolve_rows(std::uint32_t first, std::uint32_t last, std::span<std::uint32_t> pixels) const;
-  void resolve_shared(std::span<std::uint32_t> pixels) const;
+  void finish_shared();
   void add_counts();
   void add_geometry();
 
