@@ -163,7 +163,7 @@ HWY_INLINE void triangle_planes(const FrameConstants& c, const FrameTriangle& tr
     hn::Store(hn::ShiftRightSame(hn::Add(dx, half), F), d, &out.lane_dx[at]);
     hn::Store(hn::ShiftRightSame(hn::Add(dy, half), F), d, &out.lane_dy[at]);
   }
-  out.level = 0;
+  out.level = ShadePlanes::kNoLevels;
   for (std::size_t n = 0; n < 3; ++n) {
     out.level |= static_cast<std::uint32_t>((levels[n] - kLevelZero) >> kAttributeFractionBits)
                  << (8 * n);

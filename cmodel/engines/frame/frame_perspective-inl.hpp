@@ -15,21 +15,22 @@ namespace halfspace::simd::HWY_NAMESPACE {
 
 using VU = hn::Vec<DU>;
 
+using D16 = hn::Repartition<std::uint16_t, DU>;
+
 // What a configuration makes constant.
 struct Divider {
-  int mantissa_shift;  // 32 - R
-  int result_shift;    // R + 7
-  VF numerator;        // 2^(2R)
-  VU numerator_low;    // the same modulo 2^32
-  VU round;            // half of 2^result_shift
+  int odd_shift;     // 31 - R
+  VF numerator;      // 2^(2R)
+  VU numerator_low;  // the same modulo 2^32
+  VU scale;          // 2^(16-R) in both halves
 };
 
 HWY_INLINE Divider divider(const FrameConstants& c) {
   const int R = c.config.reciprocal_bits;
   const std::uint64_t numerator = std::uint64_t{1} << (2 * R);
-  return {32 - R, R + 7, hn::Set(DF(), static_cast<float>(numerator)),
+  return {31 - R, hn::Set(DF(), static_cast<float>(numerator)),
           hn::Set(DU(), static_cast<std::uint32_t>(numerator)),
-          hn::Set(DU(), std::uint32_t{1} << (R + 6))};
+          hn::Set(DU(), std::uint32_t{0x10001} << (16 - R))};
 }
 
 // Rounded half to even, for values that fit.
@@ -54,6 +55,14 @@ struct Normalizer {
   VU factor;  // no shift by lane: 2^up
   HWY_INLINE VU operator()(VU v) const { return hn::Mul(v, factor); }
 #endif
+  // The upper half in the lower one. The upper half is anything.
+  HWY_INLINE VU top(VU v) const {
+#if HALFSPACE_AVX512
+    return VU{_mm512_rolv_epi32(v.raw, _mm512_add_epi32(up.raw, _mm512_set1_epi32(16)))};
+#else
+    return hn::ShiftRight<16>((*this)(v));
+#endif
+  }
 };
 
 HWY_INLINE Normalizer normalizer(VI u) {
@@ -77,9 +86,9 @@ HWY_INLINE Normalizer normalizer(VI u) {
 #endif
 }
 
-// reciprocal() of a mantissa: the quotient of floats, rounded, is the floor or one more.
-HWY_INLINE VU reciprocal(const Divider& divide, VU mantissa) {
-  const VU odd = hn::Add(hn::Add(mantissa, mantissa), hn::Set(DU(), 1));
+// reciprocal() of the mantissa (odd - 1) / 2: the quotient of floats, rounded, is the floor or one
+// more.
+HWY_INLINE VU reciprocal(const Divider& divide, VU odd) {
   const VF quotient = hn::Div(divide.numerator, hn::ConvertTo(DF(), hn::BitCast(DI(), odd)));
   const VU guess = nearest(quotient);
   const VU rest = hn::Sub(divide.numerator_low, hn::Mul(guess, odd));
@@ -96,35 +105,77 @@ struct Divisor {
 HWY_INLINE Divisor divisor(const Divider& divide, VI inverse_w) {
   const VI u = hn::Max(inverse_w, hn::Set(DI(), 1));
   const Normalizer normalize = normalizer(u);
-  const VU mantissa = hn::ShiftRightSame(normalize(hn::BitCast(DU(), u)), divide.mantissa_shift);
-  return {u, normalize, reciprocal(divide, mantissa)};
+  const VU top = hn::ShiftRightSame(normalize(hn::BitCast(DU(), u)), divide.odd_shift);
+  return {u, normalize, reciprocal(divide, hn::Or(top, hn::Set(DU(), 1)))};
 }
 
-// perspective(attribute, inverse_w): 0..255.
-HWY_INLINE VU over(const Divider& divide, const Divisor& by, VI attribute) {
-  const VI p = hn::Min(hn::Max(attribute, hn::Zero(DI())), by.u);
-  const VU numerator = hn::ShiftRight<16>(by.normalize(hn::BitCast(DU(), p)));
-  // Below 2^31 + 2^22: docs/03_design/frame_engine.md.
-  const VU product = hn::Add(hn::Mul(numerator, by.reciprocal), divide.round);
-  return hn::Min(hn::ShiftRightSame(product, divide.result_shift), hn::Set(DU(), 255));
+// Bytes of 16-bit quotients, each at most 255: those of `low`, then the lower one of `high`; the
+// fourth is anything.
+HWY_INLINE VU bytes_of(VU low, VU high) {
+#if HALFSPACE_AVX512 || HALFSPACE_AVX2 || HALFSPACE_SSE
+  alignas(16) static constexpr std::uint8_t kOrder[16] = {0, 1, 8,  9,  2, 3, 10, 11,
+                                                          4, 5, 12, 13, 6, 7, 14, 15};
+#if HALFSPACE_AVX512
+  const VU packed{_mm512_packus_epi16(low.raw, high.raw)};
+#elif HALFSPACE_AVX2
+  const VU packed{_mm256_packus_epi16(low.raw, high.raw)};
+#else
+  const VU packed{_mm_packus_epi16(low.raw, high.raw)};
+#endif
+  const hn::Repartition<std::uint8_t, DU> d8;
+  return hn::BitCast(DU(),
+                     hn::TableLookupBytes(hn::BitCast(d8, packed), hn::LoadDup128(d8, kOrder)));
+#else
+  const D16 d16;
+  const auto most = hn::Set(d16, 255);
+  const VU red_green = hn::BitCast(DU(), hn::Min(hn::BitCast(d16, low), most));
+  const VU blue = hn::BitCast(DU(), hn::Min(hn::BitCast(d16, high), most));
+  const VU green = hn::And(hn::ShiftRight<8>(red_green), hn::Set(DU(), 0xff00));
+  return hn::Or(hn::Or(hn::And(red_green, hn::Set(DU(), 0xff)), green), hn::ShiftLeft<16>(blue));
+#endif
 }
 
+// perspective() of red, green and blue over 1/w, which is value[3]: a byte each, red lowest. Level:
+// the channels' levels, and 255 above them.
+HWY_INLINE VU divided(const Divider& divide, const Divisor& by, const VI (&value)[4], VU level) {
+  const D16 d16;
+  const auto cut = [&](VI attribute) HWY_ATTR {
+    return hn::BitCast(DU(), hn::Min(hn::Max(attribute, hn::Zero(DI())), by.u));
+  };
+  // Two numerators a lane, and r 2^(16-R) beside itself. The products are below 2^31 + 2^26, and
+  // what is added to their upper halves is half of 2^7: docs/03_design/frame_engine.md.
+  const auto factor = hn::BitCast(d16, hn::Mul(by.reciprocal, divide.scale));
+  const auto red = hn::BitCast(d16, by.normalize.top(cut(value[0])));
+  const auto green = hn::BitCast(d16, by.normalize(cut(value[1])));
+  const auto blue = hn::BitCast(d16, by.normalize.top(cut(value[2])));
+  const auto quotient = [&](hn::Vec<D16> numerator) HWY_ATTR {
+    const auto product = hn::MulHigh(numerator, factor);
+    return hn::BitCast(DU(), hn::ShiftRight<7>(hn::Add(product, hn::Set(d16, 64))));
+  };
+  const VU color = bytes_of(quotient(hn::OddEven(green, red)), quotient(blue));
+  const hn::Repartition<std::uint8_t, DU> d8;
+  return hn::BitCast(DU(), hn::SaturatedAdd(hn::BitCast(d8, color), hn::BitCast(d8, level)));
+}
+
+// Each division in one of the three channels.
 void Divide(const FrameConstants& c, Division* divisions, std::size_t count) {
   const Divider divide = divider(c);
   alignas(64) std::int32_t attribute[kLanes], inverse_w[kLanes];
-  alignas(64) std::uint32_t reciprocal[kLanes], value[kLanes];
+  alignas(64) std::uint32_t reciprocal[kLanes], color[kLanes];
   for (std::size_t first = 0; first < count; first += kLanes) {
     const std::size_t lanes = HWY_MIN(kLanes, count - first);
     for (std::size_t i = 0; i < kLanes; ++i) {
       attribute[i] = divisions[first + (i < lanes ? i : 0)].attribute;
       inverse_w[i] = divisions[first + (i < lanes ? i : 0)].inverse_w;
     }
-    const Divisor by = divisor(divide, hn::Load(DI(), inverse_w));
+    const VI over = hn::Load(DI(), inverse_w);
+    const Divisor by = divisor(divide, over);
     hn::Store(by.reciprocal, DU(), reciprocal);
-    hn::Store(over(divide, by, hn::Load(DI(), attribute)), DU(), value);
+    const VI same = hn::Load(DI(), attribute);
+    hn::Store(divided(divide, by, {same, same, same, over}, hn::Set(DU(), 0)), DU(), color);
     for (std::size_t i = 0; i < lanes; ++i) {
       divisions[first + i].reciprocal = reciprocal[i];
-      divisions[first + i].value = value[i];
+      divisions[first + i].value = color[i] >> (8 * (i % 3)) & 255;
     }
   }
 }

@@ -209,7 +209,7 @@ HWY_INLINE void eight_shade_planes(const FrameConstants& c, const FrameTriangle*
   __m512i inverse_w[3];
   eight_inverse_w(v, c, inverse_w);
   __m512i word[5][kShades];
-  __m512i levels = _mm512_setzero_si512();
+  __m512i levels = _mm512_set1_epi64(ShadePlanes::kNoLevels);
   for (unsigned n = 0; n < kShades; ++n) {
     const auto field = [&](std::size_t i) HWY_ATTR {
       return _mm512_and_si512(_mm512_srli_epi64(v[i].value, VertexRecord::kFieldBits * n),

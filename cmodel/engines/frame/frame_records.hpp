@@ -60,7 +60,9 @@ struct alignas(32) ShadePlanes {
   std::array<std::uint64_t, kShades> dy{};
   std::array<std::uint64_t, kShades> lane_dx{};
   std::array<std::uint64_t, kShades> lane_dy{};
-  std::uint32_t level = 0;  // red lowest, then green, blue
+  std::uint32_t level = kNoLevels;  // red lowest, then green, blue, and 255
+
+  static constexpr std::uint32_t kNoLevels = 0xff000000;
 };
 
 // A triangle that covers a sample, before its planes. The first vertex is first_vertex(), the way

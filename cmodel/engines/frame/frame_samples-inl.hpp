@@ -31,13 +31,7 @@ HWY_INLINE void tile_bases(const FrameConstants& c, const ShadePlanes& planes, s
 
 // Colours as the store keeps them.
 HWY_INLINE VU divided(const Divider& divide, const VI (&value)[kShades], VU level) {
-  const Divisor by = divisor(divide, value[3]);
-  const VU red = over(divide, by, value[0]);
-  const VU green = hn::ShiftLeft<8>(over(divide, by, value[1]));
-  const VU blue = hn::ShiftLeft<16>(over(divide, by, value[2]));
-  const VU color = hn::Or(hn::Or(red, green), hn::Or(blue, hn::Set(DU(), 0xff000000u)));
-  const hn::Repartition<std::uint8_t, DU> bytes;
-  return hn::BitCast(DU(), hn::SaturatedAdd(hn::BitCast(bytes, color), hn::BitCast(bytes, level)));
+  return divided(divide, divisor(divide, value[3]), value, level);
 }
 
 // One tile on its way through the colour kernel.
