@@ -114,6 +114,54 @@ HWY_INLINE void put_colors(VU color, std::uint64_t bits, bool fresh, VU backgrou
   store_pixels<kGridLog2>(DU(), hn::IfThenElse(mask, color, old), to, stride);
 }
 
+// Fetches the pixels of a tile that is needed some entries later.
+template <int kGridLog2>
+HWY_INLINE void fetch_pixels(const PassedTile* at, const PassedTile* end,
+                             const FrameStore::Tiles& memory) {
+  constexpr std::ptrdiff_t kEntriesAhead = 8;
+  if (end - at <= kEntriesAhead) return;
+  const std::uint32_t place = at[kEntriesAhead].place & ~PassedTile::kFresh;
+  const std::uint32_t* line = memory.pixels(place & 0xffff, place >> 16);
+  for (std::size_t y = 0; y < std::size_t{1} << kGridLog2; ++y, line += memory.stride) {
+    __builtin_prefetch(line, 1);
+  }
+}
+
+// A tile that one triangle has: its values never leave the registers.
+template <int kGridLog2>
+HWY_INLINE void shade_alone(const FrameConstants& c, const Divider& divide,
+                            const ShadePlanes& planes, std::uint32_t place, std::uint64_t lanes,
+                            bool fresh, VU background, const TilePixels& pixels) {
+  constexpr std::size_t kVectors = (std::size_t{1} << (2 * kGridLog2)) / kLanes;
+  const DI d;
+  VQuad quad[kShades / kQuadLanes];
+  tile_bases<kGridLog2>(c, planes, place, quad);
+  alignas(32) std::uint64_t base[kShades];
+  for (std::size_t at = 0; at < kShades; at += kQuadLanes) {
+    hn::Store(quad[at / kQuadLanes], DQuad(), base + at);
+  }
+  VI first[kShades];
+  std::uint32_t dx[kShades], dy[kShades];
+  for (std::size_t n = 0; n < kShades; ++n) {
+    dx[n] = static_cast<std::uint32_t>(planes.lane_dx[n]);
+    dy[n] = static_cast<std::uint32_t>(planes.lane_dy[n]);
+    first[n] = hn::Add(plane_step<kGridLog2>(dx[n], dy[n]),
+                       hn::Set(d, static_cast<std::int32_t>(static_cast<std::uint32_t>(base[n]))));
+  }
+  const VU level = hn::Set(DU(), planes.level);
+  for (std::size_t v = 0; v < kVectors; ++v) {
+    const std::uint64_t bits = lanes >> (v * kLanes) & kAllLanes;
+    if (bits == 0 && !fresh) continue;
+    VI value[kShades];
+    for (std::size_t n = 0; n < kShades; ++n) {
+      const std::uint32_t down = lane_offset<kGridLog2>(v * kLanes, dx[n], dy[n]);
+      value[n] = hn::Add(first[n], hn::Set(d, static_cast<std::int32_t>(down)));
+    }
+    put_colors<kGridLog2>(divided(divide, value, level), bits, fresh, background,
+                          pixels.at<kGridLog2>(v * kLanes), pixels.stride);
+  }
+}
+
 // One sample: the lanes of a tile get their values triangle by triangle, and are divided together.
 template <int kGridLog2>
 HWY_NOINLINE void shade_tiles(const FrameConstants& frame, FrameStore& store,
@@ -131,6 +179,13 @@ HWY_NOINLINE void shade_tiles(const FrameConstants& frame, FrameStore& store,
     const bool fresh = (at->place & PassedTile::kFresh) != 0;
     const std::uint32_t place = at->place & ~PassedTile::kFresh;
     const TilePixels pixels{memory.pixels(place & 0xffff, place >> 16), memory.stride};
+    fetch_pixels<kGridLog2>(at, end, memory);
+    if (at + 1 == end || at[1].place != place) {
+      shade_alone<kGridLog2>(c, divide, planes[at->triangle], place, at->passed, fresh, background,
+                             pixels);
+      ++at;
+      continue;
+    }
     std::uint64_t any = 0;
     VI value[kVectors][kShades];
     VU level[kVectors];
