@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "frame_buckets.hpp"
 
+#include <algorithm>
+
 #include "../coverage/coverage_chunk.hpp"
 
 namespace halfspace {
@@ -13,8 +15,10 @@ constexpr std::size_t tile_index(std::uint32_t place, std::uint32_t columns) {
 }  // namespace
 
 // Counts the records of each tile, and lists the tiles; 0 when there are too many records.
-std::size_t FrameBuckets::count(const FrameTiles& tiles, std::uint32_t columns, Scratch& scratch) {
-  tile_.resize(kMostRecords + 1);
+std::size_t FrameBuckets::count(const FrameTiles& tiles, const Grid& grid, Scratch& scratch) {
+  const std::size_t most = grid.most;
+  const std::uint32_t columns = grid.columns;
+  tile_.resize(most + 1);
   BinTile* const list = tile_.data();
   std::uint32_t* const of_tile = scratch.data();
   std::size_t found = 0;
@@ -25,21 +29,21 @@ std::size_t FrameBuckets::count(const FrameTiles& tiles, std::uint32_t columns, 
     found += records == 0;
     ++records;
   };
-  for (std::size_t r = 0; r < tiles.count && total <= kMostRecords; ++r) {
+  for (std::size_t r = 0; r < tiles.count && total <= most; ++r) {
     const RecordPlace place{tiles.place[r]};
     if (!place.is_run()) [[likely]] {
       ++total;
-      if (total <= kMostRecords) add(place.word);
+      if (total <= most) add(place.word);
       continue;
     }
     const std::uint64_t length = tiles.mask[0][r];
     total += length;
-    for (std::uint32_t i = 0; total <= kMostRecords && i < length; ++i) {
+    for (std::uint32_t i = 0; total <= most && i < length; ++i) {
       add((place.word & ~kRunFlag) + i);
     }
   }
   tiles_ = found;
-  if (total <= kMostRecords) return total;
+  if (total <= most) return total;
   for (std::size_t i = 0; i < found; ++i) of_tile[tile_index(list[i].place, columns)] = 0;
   return 0;
 }
@@ -64,7 +68,7 @@ void FrameBuckets::sort_by_band(const Grid& grid) {
 bool FrameBuckets::fill(const FrameTiles& tiles, const FrameConstants& constants, const Grid& grid,
                         Scratch& scratch) {
   band_.clear();
-  const std::size_t total = count(tiles, grid.columns, scratch);
+  const std::size_t total = count(tiles, grid, scratch);
   if (total == 0) return false;
   sort_by_band(grid);
   std::uint32_t* const next = scratch.data();
@@ -75,7 +79,7 @@ bool FrameBuckets::fill(const FrameTiles& tiles, const FrameConstants& constants
     first = end - first;
     tile_[i].end = end;
   }
-  if (record_.size() < total) record_.resize(2 * total);
+  if (record_.size() < total) record_.resize(std::min(2 * total, grid.most));
   BinRecord* const to = record_.data();
   const int F = constants.gradient_bits;
   const int log2 = constants.config.grid_log2;

@@ -12,17 +12,16 @@ namespace halfspace {
 // needs of their triangles. One sample only.
 class FrameBuckets {
  public:
-  // More tiles than this are not sorted: they would leave the second-level cache.
-  static constexpr std::size_t kMostRecords = 1 << 15;
-
   // How many records each tile of a frame has; all 0 between uses.
   using Scratch = std::vector<std::uint32_t>;
 
-  // How tiles make up a frame: rows of `columns` tiles, `band` of them a band.
+  // How tiles make up a frame: rows of `columns` tiles, `band` of them a band. More records than
+  // `most`, a run counted by its length, are not sorted: they would leave the caches.
   struct Grid {
     std::uint32_t columns = 0;
     std::uint32_t rows = 0;
     std::uint32_t band = 1;
+    std::size_t most = 0;
 
     std::uint32_t bands() const { return (rows + band - 1) / band; }
   };
@@ -40,7 +39,7 @@ class FrameBuckets {
   BinRange range(std::uint32_t band) const;
 
  private:
-  std::size_t count(const FrameTiles& tiles, std::uint32_t columns, Scratch& scratch);
+  std::size_t count(const FrameTiles& tiles, const Grid& grid, Scratch& scratch);
   void sort_by_band(const Grid& grid);
 
   std::vector<BinTile> tile_;  // `tiles_` of them

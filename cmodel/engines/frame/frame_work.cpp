@@ -13,7 +13,10 @@ namespace {
 // Triangles prepared together, and the records after which their tiles are drawn: what is known of
 // them stays in the second-level cache.
 constexpr std::size_t kPieceTriangles = 4096;
-constexpr std::size_t kPieceRecords = 12288;
+constexpr std::size_t kPieceRecords = 24576;
+// Records that are sorted, at most, of the piece of one thread and of each of several threads'.
+constexpr std::size_t kSortedAlone = 1 << 16;
+constexpr std::size_t kSortedShared = 1 << 15;
 // Tiles that are drawn together where they are not sorted, and a run's more: what is kept of them
 // between depth and colour does not grow with the triangles.
 constexpr std::size_t kSliceTiles = 1 << 11;
@@ -49,7 +52,7 @@ FrameConstants frame_constants(const FrameState& frame, const Config& config,
 FrameBuckets::Grid frame_grid(const FrameStore& store, int threads) {
   const std::uint32_t share = store.rows() / (8 * static_cast<std::uint32_t>(threads));
   const std::uint32_t band = threads == 1 ? store.rows() : std::clamp(share, 1u, 4u);
-  return {store.columns(), store.rows(), band};
+  return {store.columns(), store.rows(), band, threads == 1 ? kSortedAlone : kSortedShared};
 }
 
 }  // namespace
