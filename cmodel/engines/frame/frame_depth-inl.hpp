@@ -46,8 +46,9 @@ inline bool only_less(const FrameConstants& c) {
 template <bool kLess>
 HWY_INLINE VI depth_of(const DepthTest& test, VI units) {
   const DI d;
-  const VI cut = hn::Min(hn::Max(hn::ShiftRightSame(units, test.down), hn::Zero(d)), test.top);
-  if (kLess) return cut;
+  const VI least = hn::Max(hn::ShiftRightSame(units, test.down), hn::Zero(d));
+  if (kLess) return least;  // what is above the top wins over no depth, cut or not
+  const VI cut = hn::Min(least, test.top);
   // 1.0 is one more than fits: all ones.
   return hn::Sub(hn::ShiftLeftSame(cut, test.up), hn::ShiftRight<kPlaneBits>(cut));
 }
