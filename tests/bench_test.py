@@ -24,8 +24,11 @@ class Bench(Program):
         file = self.out / "b.json"
         done = self.run_program("--out", file, *args)
         self.assertEqual(done.returncode, 0, done.stderr)
-        rows = json.loads(file.read_text())
-        self.assertEqual(len(done.stdout.splitlines()), len(rows) + 1)
+        told = json.loads(file.read_text())
+        machine, rows = told["machine"], told["rows"]
+        self.assertEqual(len(done.stdout.splitlines()), len(rows) + 2)
+        self.assertIn(f"{machine['isa']} ({machine['vector_bits']}-bit vectors)",
+                      done.stdout.splitlines()[0])
         return rows
 
     def refuse(self, code, *args, says=""):

@@ -60,8 +60,7 @@ class Schemas(Program):
     def test_bench(self):
         self.succeed("bench", "--scale", "0.001", "--workload", "small", "--engine", "bit",
                      "coverage", "--repetitions", 1, "--out", "b.json")
-        self.validator("bench").validate(self.json("b.json"))
-        self.assertFalse(self.validator("bench").is_valid([{}]))
+        self.expect("bench", self.json("b.json"))
 
     def test_explain(self):
         for pixel in ((32, 24), (1, 1)):

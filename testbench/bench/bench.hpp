@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "machine.hpp"
+
 namespace halfspace {
 
 // One line of the result. Times are nanoseconds per triangle over `repetitions` runs; the rates and
@@ -64,11 +66,11 @@ std::vector<std::string> bench_engines();
 // BenchMismatch when two engines found different samples, tiles, clocks or pictures.
 std::vector<BenchRow> run_bench(const BenchOptions& options);
 
-// The rows as an aligned table, each with its speed against the row that it is to be measured by:
+// The machine in a line, and the rows as an aligned table, each with its speed against the row that it is to be measured by:
 // scalar for coverage, rtl for cycle, llvmpipe for frames; "-" where that was not run.
-std::string bench_table(const std::vector<BenchRow>& rows);
+std::string bench_table(const Machine& machine, const std::vector<BenchRow>& rows);
 
-// The rows as a JSON list.
-std::string bench_json(const std::vector<BenchRow>& rows);
+// A JSON object: `machine`, and `rows`, a list.
+std::string bench_json(const Machine& machine, const std::vector<BenchRow>& rows);
 
 }  // namespace halfspace

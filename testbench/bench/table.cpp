@@ -21,7 +21,7 @@ std::string key(const BenchRow& row, const std::string& engine) {
 
 }  // namespace
 
-std::string bench_table(const std::vector<BenchRow>& rows) {
+std::string bench_table(const Machine& machine, const std::vector<BenchRow>& rows) {
   std::map<std::string, double> median;
   for (const BenchRow& row : rows) median.emplace(key(row, row.engine), row.median);
   const auto ratio = [&](const BenchRow& row, const std::string& engine) {
@@ -29,7 +29,8 @@ std::string bench_table(const std::vector<BenchRow>& rows) {
     return found == median.end() ? std::string("-")
                                  : fmt::format("{:.2f}", found->second / row.median);
   };
-  std::string table = fmt::format(
+  std::string table = machine_line(machine) + '\n';
+  table += fmt::format(
       "{:<11}{:<10}{:<9}{:<9}{:<8}{:>4}{:>7}{:>14}{:>14}{:>14}{:>9}{:>10}{:>10}{:>20}{:>12}\n",
       "workload", "size", "work", "engine", "isa", "thr", "time", "ns/triangle", "min", "max",
       "Mpx/s", "Mtiles/s", "Mclk/s", "times faster than", "x llvmpipe");
@@ -47,7 +48,14 @@ std::string bench_table(const std::vector<BenchRow>& rows) {
   return table;
 }
 
-std::string bench_json(const std::vector<BenchRow>& rows) {
+std::string bench_json(const Machine& machine, const std::vector<BenchRow>& rows) {
+  const nlohmann::ordered_json told{
+      {"vendor", machine.vendor},     {"processor", machine.processor},
+      {"family", machine.family},     {"model", machine.model},
+      {"isa", machine.isa},           {"vector_bits", machine.vector_bits},
+      {"l2_bytes", machine.l2_bytes}, {"l3_bytes", machine.l3_bytes},
+      {"cores", machine.cores},       {"clock_ghz", machine.clock_ghz},
+      {"load", machine.load}};
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const BenchRow& row : rows) {
     nlohmann::ordered_json out{{"workload", row.workload},
@@ -71,7 +79,7 @@ std::string bench_json(const std::vector<BenchRow>& rows) {
     if (row.largest_difference) out["largest_difference"] = *row.largest_difference;
     list.push_back(std::move(out));
   }
-  return list.dump(1) + "\n";
+  return nlohmann::ordered_json{{"machine", told}, {"rows", list}}.dump(1) + "\n";
 }
 
 }  // namespace halfspace

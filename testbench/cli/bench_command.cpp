@@ -48,10 +48,11 @@ int run(const BenchRequest& request) {
   }
   if (!request.out.empty()) check_writable(request.out);
   try {
+    const Machine machine = this_machine();  // its load before there is ours
     const std::vector<BenchRow> rows = run_bench(request.options);
-    fmt::print(talk({request.out}), "{}", bench_table(rows));
+    fmt::print(talk({request.out}), "{}", bench_table(machine, rows));
     if (!request.out.empty()) {
-      write_text(request.out, bench_json(rows));
+      write_text(request.out, bench_json(machine, rows));
     }
   } catch (const BenchMismatch& mismatch) {
     fmt::print(stderr, "halfspace: bench: {}\n", mismatch.what());
@@ -69,7 +70,7 @@ Action add_bench_command(Command& program) {
   BenchOptions& o = request->options;
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
   if (cores > 1) o.threads.push_back(cores);
-  command->add_option("--out", request->out, "JSON list of rows to write");
+  command->add_option("--out", request->out, "JSON of the machine and the rows to write");
   command->add_option("--workload", o.workloads, "Workloads (default: all but the last four)")
       ->type_name("small|medium|large|fullscreen|sliver|teapot|bunny|million|quad|px32|px16|tile");
   command->add_option("--engine", o.engines, "Engines (default: all there are)")
