@@ -51,9 +51,10 @@ class MeshFinisher {
     choose_origin();
     find_points();
     list_corners();
-    make_face_normals();
+    const bool is_whole = vertices_are_whole();
+    if (!is_whole) make_face_normals();
     for (std::uint32_t point = 0; point + 1 < first_corner_.size(); ++point) {
-      add_vertices(point);
+      is_whole ? add_whole_vertices(point) : add_vertices(point);
       if (point % kReportEvery == 0) report(first_corner_[point]);
     }
     mesh_.triangles = std::move(raw_.triangles);
@@ -165,6 +166,30 @@ class MeshFinisher {
     if (!raw_.colors.empty()) return to_unit(raw_.colors[vertex_of(corner)]);
     if (raw_.triangle_colors.empty()) return glm::vec3(1.0F);
     return to_unit(raw_.palette[raw_.triangle_colors[corner / 3]]);
+  }
+
+  // The file's vertices have all that ours have: normal and colour do not depend on the face.
+  bool vertices_are_whole() const {
+    return !raw_.normals.empty() && raw_.corner_normals.empty() && raw_.triangle_colors.empty() &&
+           std::all_of(raw_.normals.begin(), raw_.normals.end(), [](const glm::vec3& normal) {
+             return usable_normal(normal) != glm::vec3(0.0F);
+           });
+  }
+
+  // As add_vertices(), which would do the same work at every corner of a vertex.
+  void add_whole_vertices(std::uint32_t point) {
+    const std::uint32_t begin = first_corner_[point], end = first_corner_[point + 1];
+    const auto position = glm::vec3(raw_.positions[vertex_of(corners_[begin])] - mesh_.origin);
+    const std::size_t first = mesh_.positions.size();
+    std::uint32_t last = kNoIndex, placed = kNoIndex;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      std::uint32_t& vertex = vertex_of(corners_[i]);
+      if (vertex != last) {
+        last = vertex;
+        placed = place(first, position, usable_normal(raw_.normals[vertex]), color_of(corners_[i]));
+      }
+      vertex = placed;
+    }
   }
 
   void add_vertices(std::uint32_t point) {
