@@ -16,7 +16,7 @@ void write_png(OutputFile& file, const Image& image) {
   png.width = static_cast<png_uint_32>(image.width);
   png.height = static_cast<png_uint_32>(image.height);
   png.format = PNG_FORMAT_RGB;
-  png.flags = PNG_IMAGE_FLAG_FAST;  // no filter, zlib level 3: a frame takes less time than its file
+  png.flags = PNG_IMAGE_FLAG_FAST;  // no filter, zlib level 3: else files take longer than frames
   if (png_image_write_to_stdio(&png, file.stream(), 0, image.pixel.data(), 0, nullptr) == 0) {
     throw Error(ErrorCode::kFileWrite, file.path(), std::string("cannot write: ") + png.message);
   }

@@ -66,8 +66,9 @@ std::vector<std::string> bench_engines();
 // BenchMismatch when two engines found different samples, tiles, clocks or pictures.
 std::vector<BenchRow> run_bench(const BenchOptions& options);
 
-// The machine in a line, and the rows as an aligned table, each with its speed against the row that it is to be measured by:
-// scalar for coverage, rtl for cycle, llvmpipe for frames; "-" where that was not run.
+// The machine in a line, and the rows as an aligned table, each with its speed against the row that
+// it is to be measured by: scalar for coverage, rtl for cycle, llvmpipe for frames; "-" where that
+// was not run.
 std::string bench_table(const Machine& machine, const std::vector<BenchRow>& rows);
 
 // A JSON object: `machine`, and `rows`, a list.
