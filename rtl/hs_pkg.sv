@@ -174,4 +174,7 @@ package hs_pkg;
     logic signed [VERTEX_BITS+VERTEX_HIGH_BITS-1:0] ji_high;  // x_j * high part of y_i
     logic signed [VERTEX_BITS+VERTEX_LOW_BITS-1:0]  ji_low;   // x_j * low part of y_i
   } edge_product_t;
+
+  // --- Back end ----------------------------------------------------------------------------------
+  localparam int AREA_RECIPROCAL_BITS = 32;
 endpackage

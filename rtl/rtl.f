@@ -15,3 +15,4 @@ hs_constant_product.sv
 hs_sample_grid.sv
 hs_coverage.sv
 hs_rasterizer.sv
+hs_reciprocal.sv

@@ -7,6 +7,8 @@ RTL = ROOT / "rtl"
 PRESETS = sorted(p.name for p in (RTL / "config").iterdir() if p.is_dir())
 TEST_CONFIGS = sorted(p.name for p in (ROOT / "testbench/rtl/config").iterdir() if p.is_dir())
 TOP = "hs_rasterizer"
+# Modules of the back end, which no top holds yet.
+BACK_END = ["hs_reciprocal"]
 
 
 def listed(folder, name):
@@ -32,7 +34,8 @@ def checkers():
     return listed(RTL / "checkers", "checkers.f")
 
 
-def yosys_read(name):
-    """The yosys commands that read a configuration and elaborate it."""
+def yosys_read(name, top=TOP, parameters=()):
+    """The yosys commands that read a configuration and elaborate it; parameters: NAME=VALUE."""
     files = " ".join(str(f) for f in [config(name), *design()])
-    return f"read_verilog -sv {files}; hierarchy -check -top {TOP}"
+    values = "".join(f" -chparam {p.replace('=', ' ')}" for p in parameters)
+    return f"read_verilog -sv {files}; hierarchy -check -top {top}{values}"

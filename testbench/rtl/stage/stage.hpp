@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "config.hpp"
@@ -61,5 +62,24 @@ struct GridVariant {
   std::unique_ptr<GridRtl> (*make)();
 };
 std::span<const GridVariant> half_plane_grid_stages();
+
+// A rigid pipeline: a packet may enter in every clock, and nothing holds up what comes out.
+class PipelineRtl {
+ public:
+  virtual ~PipelineRtl() = default;
+  virtual void reset() = 0;
+  // A clock with this packet at the input; null: none, the words there are `noise`. What stands at
+  // the output before the edge; nothing when it says that it is not valid.
+  virtual std::optional<PortWords> clock(const PortWords* packet, const PortWords& noise) = 0;
+};
+
+struct PipelineVariant {
+  const char* name;
+  Config config;
+  int bits;     // of hs_reciprocal; else 0
+  int latency;  // clocks from input to output
+  std::unique_ptr<PipelineRtl> (*make)();
+};
+std::span<const PipelineVariant> reciprocal_stages();
 
 }  // namespace halfspace
