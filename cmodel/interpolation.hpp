@@ -43,6 +43,13 @@ AreaReciprocal area_reciprocal(std::int64_t area);
 TilePlane tile_plane(const Plane& plane, Point origin, std::int32_t x, std::int32_t y,
                      const Config& config);
 
+// The same plane from the frame's first pixel on. Exact: the bits it drops reach no tile.
+CornerPlane corner_plane(const Plane& plane, Point origin, const Config& config);
+
+// tile_plane() of the Plane that it was made of, bit for bit.
+TilePlane tile_plane(const CornerPlane& plane, std::int32_t x, std::int32_t y,
+                     const Config& config);
+
 // What to add to TilePlane::at() for sample m: its offset from the pixel's centre, in units, floor.
 // Zero for one sample.
 std::uint32_t sample_delta(const Plane& plane, int sample, const Config& config);
