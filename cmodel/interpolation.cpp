@@ -72,6 +72,13 @@ std::uint64_t slopes_to_centre(const Plane& plane, Point origin, std::int32_t x,
 
 }  // namespace
 
+std::int64_t doubled_area(const SetupTriangle& setup) {
+  const std::int64_t cross = std::int64_t{setup.slope[0].a} * setup.slope[1].b -
+                             std::int64_t{setup.slope[0].b} * setup.slope[1].a;
+  // Negating both edges, as setup does, leaves its sign.
+  return setup.flipped ? -cross : cross;
+}
+
 AreaReciprocal area_reciprocal(std::int64_t area) {
   HS_CHECK(area > 0 && fits(area, 63));
   const int zeros = std::countl_zero(static_cast<std::uint64_t>(area));
@@ -84,10 +91,7 @@ InterpolationSetup interpolation_setup(const SetupTriangle& setup, const Triangl
                                        const std::array<VertexAttributes, 3>& attributes, int count,
                                        const Config& config) {
   HS_CHECK(count >= 0 && count <= config.attributes);
-  // The cross product of two edges; negating both, as setup does, leaves its sign.
-  const std::int64_t cross = std::int64_t{setup.slope[0].a} * setup.slope[1].b -
-                             std::int64_t{setup.slope[0].b} * setup.slope[1].a;
-  const AreaReciprocal area = area_reciprocal(setup.flipped ? -cross : cross);
+  const AreaReciprocal area = area_reciprocal(doubled_area(setup));
   const int inverse_w_shift = kPlaneBits - config.inverse_w_bits;
 
   InterpolationSetup out;

@@ -3,8 +3,7 @@
 // Depth and attributes as fixed-point planes: once per triangle, once per tile, then one addition
 // per lane. Formats, roundings and the proof of the error bound: docs/03_design/interpolation.md.
 // All sums are taken modulo a power of two: a plane's slope may not fit its register, its value at
-// a covered sample always does. Twin: rtl/hs_reciprocal.sv: area_reciprocal(); for the rest none
-// yet.
+// a covered sample always does. Twin: rtl/hs_reciprocal.sv and rtl/hs_gradient.sv.
 #pragma once
 
 #include <array>
@@ -34,6 +33,9 @@ struct AreaReciprocal {
   std::uint64_t factor = 0;  // 2 r + 1, below 2^33
   int shift = 0;             // 1 / area is about factor / 2^shift
 };
+
+// The triangle's doubled area, above 0: the cross product of two edges.
+std::int64_t doubled_area(const SetupTriangle& setup);
 
 // area above 0 and below 2^62: with L its bits and m the top 32 of them (zeros appended to a
 // narrower one), r = floor(2^64 / (2 m + 1)) and the shift is 32 + L.

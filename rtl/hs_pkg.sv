@@ -175,6 +175,40 @@ package hs_pkg;
     logic signed [VERTEX_BITS+VERTEX_LOW_BITS-1:0]  ji_low;   // x_j * low part of y_i
   } edge_product_t;
 
-  // --- Back end ----------------------------------------------------------------------------------
+  // --- Back end: free values, until the configuration has fields for them -------------------------
+`ifndef HS_GRADIENT_BITS
+`define HS_GRADIENT_BITS 16
+`endif
+  localparam int GRADIENT_BITS = `HS_GRADIENT_BITS;  // F
+
+  // --- Back end: widths ---------------------------------------------------------------------------
+  localparam int UNIT_BITS = 32;  // a value at a sample, in units, modulo 2^32
+  // The value at pixel (0, 0), S.(F+f) units; and what of a slope, S.F units / px, later sums use.
+  localparam int PLANE_BITS = UNIT_BITS + GRADIENT_BITS + POSITION_BITS;
+  localparam int PLANE_SLOPE_BITS = UNIT_BITS + GRADIENT_BITS + (SAMPLES == 1 ? 0 : 4);
+  // From a vertex to the centre of pixel (0, 0), S.f px.
+  localparam int CENTRE_BITS = HAS_GUARD_BAND ? K + POSITION_BITS + 2 : N + POSITION_BITS + 1;
   localparam int AREA_RECIPROCAL_BITS = 32;
+  localparam int LENGTH_BITS = 6;  // a doubled area has 1..62 bits
+
+  // --- Back end: packets --------------------------------------------------------------------------
+  // One quantity of one triangle, and what its plane takes of the triangle.
+  typedef struct packed {
+    logic signed [UNIT_BITS-1:0]     value0;  // units, at each vertex; less than 2^31 apart
+    logic signed [UNIT_BITS-1:0]     value1;
+    logic signed [UNIT_BITS-1:0]     value2;
+    logic [1:0]                      first;   // 0..2: the vertex that the plane starts at
+    edge_slope_t                     slope0;
+    edge_slope_t                     slope2;
+    logic signed [CENTRE_BITS-1:0]   x;       // from that vertex to the centre of pixel (0, 0)
+    logic signed [CENTRE_BITS-1:0]   y;
+    logic [AREA_RECIPROCAL_BITS-1:0] reciprocal;
+    logic [LENGTH_BITS-1:0]          length;  // of the doubled area, bits
+  } gradient_t;
+
+  typedef struct packed {
+    logic [PLANE_BITS-1:0]       at_pixel0;  // S.(F+f) units
+    logic [PLANE_SLOPE_BITS-1:0] dx;         // S.F units / px
+    logic [PLANE_SLOPE_BITS-1:0] dy;
+  } corner_plane_t;
 endpackage

@@ -16,3 +16,7 @@ hs_sample_grid.sv
 hs_coverage.sv
 hs_rasterizer.sv
 hs_reciprocal.sv
+hs_delay.sv
+hs_wide_product.sv
+hs_gradient_axis.sv
+hs_gradient.sv

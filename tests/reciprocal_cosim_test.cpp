@@ -22,7 +22,7 @@ std::int64_t expected(std::uint32_t mantissa, int bits) {
 
 TEST(ReciprocalCosim, EveryMantissaHasTheModelsReciprocal) {
   for (const PipelineVariant& variant : reciprocal_stages()) {
-    const int bits = variant.bits;
+    const int bits = variant.parameter;
     const std::int64_t least = std::int64_t{1} << (bits - 1);
     std::vector<PipelinePacket> packets;
     const auto add = [&](std::int64_t mantissa) {

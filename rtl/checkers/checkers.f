@@ -2,3 +2,4 @@ hs_handshake_checker.sv
 hs_triangle_setup_checker.sv
 hs_tile_traversal_checker.sv
 hs_coverage_checker.sv
+hs_gradient_checker.sv

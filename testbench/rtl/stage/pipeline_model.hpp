@@ -14,12 +14,20 @@ namespace halfspace {
 
 template <class Top>
 decltype(auto) pipeline_input(Top& top) {
-  return (top.mantissa_i);
+  if constexpr (requires { top.mantissa_i; }) {
+    return (top.mantissa_i);
+  } else {
+    return (top.gradient_i);
+  }
 }
 
 template <class Top>
 decltype(auto) pipeline_output(Top& top) {
-  return (top.reciprocal_o);
+  if constexpr (requires { top.reciprocal_o; }) {
+    return (top.reciprocal_o);
+  } else {
+    return (top.plane_o);
+  }
 }
 
 template <class Top>

@@ -76,10 +76,11 @@ class PipelineRtl {
 struct PipelineVariant {
   const char* name;
   Config config;
-  int bits;     // of hs_reciprocal; else 0
-  int latency;  // clocks from input to output
+  int parameter;  // what is set of the module: Bits of hs_reciprocal, Interval of hs_gradient
+  int latency;    // clocks from input to output
   std::unique_ptr<PipelineRtl> (*make)();
 };
 std::span<const PipelineVariant> reciprocal_stages();
+std::span<const PipelineVariant> gradient_stages();
 
 }  // namespace halfspace

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "back_end_layout.hpp"
+
+#include <fmt/format.h>
+
+namespace halfspace {
+namespace {
+
+constexpr int kUnitBits = 32;
+
+// From a vertex to the centre of pixel (0, 0): hs_pkg::CENTRE_BITS.
+int centre_bits(const Config& config) {
+  return config.position_bits() +
+         (config.has_guard_band() ? config.guard_bits + 2 : config.viewport_bits + 1);
+}
+
+}  // namespace
+
+Layout gradient_layout(const Config& config) {
+  Layout layout;
+  for (int i = 0; i < 3; ++i) layout.push_back({fmt::format("value{}", i), kUnitBits, true});
+  layout.push_back({"first", 2, false});
+  for (const char* name : {"slope0.a", "slope0.b", "slope2.a", "slope2.b"}) {
+    layout.push_back({name, config.delta_bits(), true});
+  }
+  layout.push_back({"x", centre_bits(config), true});
+  layout.push_back({"y", centre_bits(config), true});
+  layout.push_back({"reciprocal", 32, false});
+  layout.push_back({"length", 6, false});
+  return layout;
+}
+
+Layout corner_plane_layout(const Config& config) {
+  const int F = config.gradient_bits;
+  const int slope_bits = kUnitBits + F + (config.samples == 1 ? 0 : 4);
+  return {{"at_pixel0", kUnitBits + F + config.position_bits(), false},
+          {"dx", slope_bits, false},
+          {"dy", slope_bits, false}};
+}
+
+Values values_of(const GradientInput& input) {
+  return {input.value[0], input.value[1], input.value[2],   input.first,
+          input.slope0.a, input.slope0.b, input.slope2.a,   input.slope2.b,
+          input.centre.x, input.centre.y, input.reciprocal, input.length};
+}
+
+Values values_of(const CornerPlane& plane) {
+  return {static_cast<std::int64_t>(plane.at_pixel0), static_cast<std::int64_t>(plane.dx),
+          static_cast<std::int64_t>(plane.dy)};
+}
+
+}  // namespace halfspace
