@@ -48,6 +48,10 @@ module hs_gradient #(
       d2_q       <= value2 - value0;
       first_q    <= first;
       gradient_q <= gradient_i;
+    end else begin  // y in the place of x
+      gradient_q.slope0.a <= gradient_q.slope0.b;
+      gradient_q.slope2.a <= gradient_q.slope2.b;
+      gradient_q.x        <= gradient_q.y;
     end
   end
 
@@ -63,15 +67,10 @@ module hs_gradient #(
       .centre_i(gradient_q.y), .reciprocal_i(gradient_q.reciprocal), .length_i(gradient_q.length),
       .slope_o(dy), .to_zero_o(y_to_zero));
   end else begin : gen_one
-    logic            is_x;  // else y
     logic [Bits-1:0] dx_q, x_to_zero_q;
-    assign is_x = valid_q[0];
     hs_gradient_axis u_axis (
-      .clk_i, .d1_i(d1_q), .d2_i(d2_q),
-      .s2_i(is_x ? gradient_q.slope2.a : gradient_q.slope2.b),
-      .s0_i(is_x ? gradient_q.slope0.a : gradient_q.slope0.b),
-      .centre_i(is_x ? gradient_q.x : gradient_q.y),
-      .reciprocal_i(gradient_q.reciprocal), .length_i(gradient_q.length),
+      .clk_i, .d1_i(d1_q), .d2_i(d2_q), .s2_i(gradient_q.slope2.a), .s0_i(gradient_q.slope0.a),
+      .centre_i(gradient_q.x), .reciprocal_i(gradient_q.reciprocal), .length_i(gradient_q.length),
       .slope_o(dy), .to_zero_o(y_to_zero));
     always_ff @(posedge clk_i) begin
       dx_q        <= dy;
