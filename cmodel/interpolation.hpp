@@ -3,7 +3,8 @@
 // Depth and attributes as fixed-point planes: once per triangle, once per tile, then one addition
 // per lane. Formats, roundings and the proof of the error bound: docs/03_design/interpolation.md.
 // All sums are taken modulo a power of two: a plane's slope may not fit its register, its value at
-// a covered sample always does. Twin: rtl/hs_reciprocal.sv and rtl/hs_gradient.sv.
+// a covered sample always does. Twin: rtl/hs_reciprocal.sv, rtl/hs_gradient.sv,
+// rtl/hs_tile_plane.sv.
 #pragma once
 
 #include <array>

@@ -190,6 +190,9 @@ package hs_pkg;
   localparam int CENTRE_BITS = HAS_GUARD_BAND ? K + POSITION_BITS + 2 : N + POSITION_BITS + 1;
   localparam int AREA_RECIPROCAL_BITS = 32;
   localparam int LENGTH_BITS = 6;  // a doubled area has 1..62 bits
+  localparam int TILE_BITS = N > GRID_LOG2 ? N - GRID_LOG2 : 1;  // a tile's column or row
+  localparam int CORNER_PLANE_BITS = PLANE_BITS + 2 * PLANE_SLOPE_BITS;
+  localparam int TILE_PLANE_BITS = 3 * UNIT_BITS;
 
   // --- Back end: packets --------------------------------------------------------------------------
   // One quantity of one triangle, and what its plane takes of the triangle.
@@ -211,4 +214,11 @@ package hs_pkg;
     logic [PLANE_SLOPE_BITS-1:0] dx;         // S.F units / px
     logic [PLANE_SLOPE_BITS-1:0] dy;
   } corner_plane_t;
+
+  // One quantity over one tile, units, modulo 2^32: base + dx i + dy j in lane (i, j).
+  typedef struct packed {
+    logic [UNIT_BITS-1:0] base;
+    logic [UNIT_BITS-1:0] dx;
+    logic [UNIT_BITS-1:0] dy;
+  } tile_plane_t;
 endpackage

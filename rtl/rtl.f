@@ -20,3 +20,4 @@ hs_delay.sv
 hs_wide_product.sv
 hs_gradient_axis.sv
 hs_gradient.sv
+hs_tile_plane.sv

@@ -3,3 +3,4 @@ hs_triangle_setup_checker.sv
 hs_tile_traversal_checker.sv
 hs_coverage_checker.sv
 hs_gradient_checker.sv
+hs_tile_plane_checker.sv

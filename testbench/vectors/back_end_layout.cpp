@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace halfspace {
 namespace {
 
@@ -38,6 +40,32 @@ Layout corner_plane_layout(const Config& config) {
           {"dy", slope_bits, false}};
 }
 
+Layout tile_plane_in_layout(int planes, const Config& config) {
+  const int tile_bits = std::max(config.viewport_bits - config.grid_log2, 1);
+  Layout layout;
+  for (int p = 0; p < planes; ++p) {
+    for (PortField field : corner_plane_layout(config)) {
+      field.name = fmt::format("plane{}.{}", p, field.name);
+      layout.push_back(field);
+    }
+  }
+  layout.push_back({"column", tile_bits, false});
+  layout.push_back({"row", tile_bits, false});
+  layout.push_back({"side", 8, false});
+  return layout;
+}
+
+Layout tile_plane_out_layout(int planes) {
+  Layout layout;
+  for (int p = 0; p < planes; ++p) {
+    for (const char* name : {"base", "dx", "dy"}) {
+      layout.push_back({fmt::format("plane{}.{}", p, name), kUnitBits, false});
+    }
+  }
+  layout.push_back({"side", 8, false});
+  return layout;
+}
+
 Values values_of(const GradientInput& input) {
   return {input.value[0], input.value[1], input.value[2],   input.first,
           input.slope0.a, input.slope0.b, input.slope2.a,   input.slope2.b,
@@ -48,5 +76,7 @@ Values values_of(const CornerPlane& plane) {
   return {static_cast<std::int64_t>(plane.at_pixel0), static_cast<std::int64_t>(plane.dx),
           static_cast<std::int64_t>(plane.dy)};
 }
+
+Values values_of(const TilePlane& plane) { return {plane.base, plane.dx, plane.dy}; }
 
 }  // namespace halfspace

@@ -21,7 +21,12 @@ struct GradientInput {
 Layout gradient_layout(const Config& config);
 Layout corner_plane_layout(const Config& config);
 
+// Planes side by side, the last in the lowest bits, and what rides along in 8 bits.
+Layout tile_plane_in_layout(int planes, const Config& config);
+Layout tile_plane_out_layout(int planes);
+
 Values values_of(const GradientInput& input);
 Values values_of(const CornerPlane& plane);
+Values values_of(const TilePlane& plane);
 
 }  // namespace halfspace

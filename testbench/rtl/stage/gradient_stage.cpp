@@ -6,14 +6,10 @@
 #include "Vstage_gradient_msaa4.h"
 #include "Vstage_gradient_tiny.h"
 #include "pipeline_model.hpp"
+#include "rtl/rtl_configs.hpp"
 
 namespace halfspace {
 namespace {
-
-constexpr Config with_gradient_bits(Config config, int bits) {
-  config.gradient_bits = bits;
-  return config;
-}
 
 // Least and greatest fraction, and the widest vertices.
 const std::array kVariants{

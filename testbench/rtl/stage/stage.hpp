@@ -33,7 +33,8 @@ class StageRtl {
   virtual void clock() = 0;
 };
 
-// A stage of a configuration. level: of the pyramid, for tile_traversal.
+// A stage of a configuration. level: of the pyramid, for tile_traversal; planes side by side, for
+// tile_plane.
 struct StageVariant {
   const char* name;
   Config config;
@@ -44,6 +45,7 @@ struct StageVariant {
 std::span<const StageVariant> triangle_setup_stages();
 std::span<const StageVariant> tile_traversal_stages();
 std::span<const StageVariant> coverage_stages();
+std::span<const StageVariant> tile_plane_stages();
 
 // hs_half_plane_grid: a register in front of logic, no handshake.
 class GridRtl {

@@ -28,8 +28,10 @@ decltype(auto) output_port(Top& top) {
     return (top.setup_o);
   } else if constexpr (requires { top.node_o; }) {
     return (top.node_o);
-  } else {
+  } else if constexpr (requires { top.coverage_o; }) {
     return (top.coverage_o);
+  } else {
+    return (top.plane_o);
   }
 }
 

@@ -94,6 +94,27 @@ class Comparison {
   std::size_t given_ = 0;
 };
 
+// A row of one-entry registers; a packet without a result ends in the last.
+StageClocks register_clocks(const std::vector<StagePacket>& packets, const Stalls& stalls,
+                            std::size_t registers) {
+  StageClocks clocks;
+  Offers offers(stalls);
+  std::vector<std::uint64_t> free(registers);
+  for (const StagePacket& packet : packets) {
+    std::uint64_t t = std::max(offers.at(), free[0]);
+    clocks.accepted.push_back(t);
+    offers.accepted(t);
+    for (std::size_t r = 1; r < registers; ++r) {
+      t = std::max(t + 1, free[r]);
+      free[r - 1] = t;
+    }
+    free.back() = packet.out.empty() ? t + 1 : stalls.next_ready(t + 1);
+    if (!packet.out.empty()) clocks.emitted.push_back(free.back());
+    clocks.ended.push_back(free.back());
+  }
+  return clocks;
+}
+
 }  // namespace
 
 StageClocks triangle_setup_clocks(const std::vector<StagePacket>& packets,
@@ -184,6 +205,11 @@ StageClocks coverage_clocks(const std::vector<StagePacket>& packets, const Stage
     clocks.ended.push_back(free4);
   }
   return clocks;
+}
+
+StageClocks tile_plane_clocks(const std::vector<StagePacket>& packets, const StageVariant&,
+                              const Stalls& stalls) {
+  return register_clocks(packets, stalls, 3);
 }
 
 std::string compare_stage(StageRtl& rtl, const StageVariant& variant, const StageRun& run,

@@ -31,6 +31,7 @@ StageClocks triangle_setup_clocks(const std::vector<StagePacket>&, const StageVa
 StageClocks tile_traversal_clocks(const std::vector<StagePacket>&, const StageVariant&,
                                   const Stalls&);
 StageClocks coverage_clocks(const std::vector<StagePacket>&, const StageVariant&, const Stalls&);
+StageClocks tile_plane_clocks(const std::vector<StagePacket>&, const StageVariant&, const Stalls&);
 
 struct StageRun {
   StageTiming timing;
