@@ -83,21 +83,25 @@ module hs_gradient #(
   // --- Registers 12 and 13: the value at pixel (0, 0) -------------------------------------------------
   localparam int Slope = hs_pkg::PLANE_SLOPE_BITS;
   localparam int Fraction = Bits - Unit;
-  logic [Unit-1:0]  first12;
-  logic [Slope-1:0] dx12_q, dy12_q;
-  logic [Bits-1:0]  to_zero12_q;
+  logic [Unit-1:0]   first12;
+  logic [Slope-1:0]  dx12_q, dy12_q;
+  logic [Fraction:0] low12_q;   // the sum of both ways below a unit, with its carry
+  logic [Unit-1:0]   high12_q;  // and above, without it
+  logic [Unit:0]     at_pixel0;
   hs_pkg::corner_plane_t plane_q;
   hs_delay #(.Bits(Unit), .Clocks(Latency - 2)) u_first (
     .clk_i, .data_i(first_q), .data_o(first12));
   always_ff @(posedge clk_i) begin
-    to_zero12_q       <= x_to_zero + y_to_zero;
+    low12_q           <= {1'b0, x_to_zero[Fraction-1:0]} + {1'b0, y_to_zero[Fraction-1:0]};
+    high12_q          <= x_to_zero[Bits-1:Fraction] + y_to_zero[Bits-1:Fraction];
     dx12_q            <= dx[Slope-1:0];
     dy12_q            <= dy[Slope-1:0];
-    plane_q.at_pixel0 <= {to_zero12_q[Bits-1:Fraction] + first12, to_zero12_q[Fraction-1:0]};
+    plane_q.at_pixel0 <= {at_pixel0[Unit:1], low12_q[Fraction-1:0]};
     plane_q.dx        <= dx12_q;
     plane_q.dy        <= dy12_q;
   end
-  assign plane_o = plane_q;
-  logic unused_slopes;  // bits that only the way to pixel (0, 0) takes
-  assign unused_slopes = ^{dx, dy};
+  assign at_pixel0 = {high12_q, 1'b1} + {first12, low12_q[Fraction]};
+  assign plane_o   = plane_q;
+  logic unused;  // bits that only the way to pixel (0, 0) takes, and the carry's place
+  assign unused = ^{dx, dy, at_pixel0};
 endmodule
