@@ -180,6 +180,12 @@ package hs_pkg;
 `define HS_GRADIENT_BITS 16
 `endif
   localparam int GRADIENT_BITS = `HS_GRADIENT_BITS;  // F
+`ifndef HS_DEPTH_BITS
+`define HS_DEPTH_BITS 24
+`endif
+  localparam int DEPTH_BITS = `HS_DEPTH_BITS;  // d
+  localparam int SLOTS_LOG2 = 9;  // tiles of a window
+  localparam int INDEX_BITS = 7;  // triangles in the back end at a time
 
   // --- Back end: widths ---------------------------------------------------------------------------
   localparam int UNIT_BITS = 32;  // a value at a sample, in units, modulo 2^32
@@ -221,4 +227,26 @@ package hs_pkg;
     logic [UNIT_BITS-1:0] dx;
     logic [UNIT_BITS-1:0] dy;
   } tile_plane_t;
+
+  // How depths begin and are compared: stable for a whole frame.
+  typedef struct packed {
+    logic                  less;     // a lane passes whose depth is less than the stored one
+    logic                  equal;
+    logic                  greater;
+    logic [DEPTH_BITS-1:0] clear;    // of a tile that nothing was tested in yet
+  } depth_state_t;
+
+  typedef struct packed {
+    tile_plane_t           plane;
+    logic [LANES-1:0]      mask;   // lanes to test; their values are in -2^30..2^31 - 2^30 units
+    logic [SLOTS_LOG2-1:0] slot;
+    logic                  fresh;  // the first tile of this slot
+    logic [INDEX_BITS-1:0] index;  // of its triangle
+  } depth_tile_t;
+
+  typedef struct packed {
+    logic [LANES-1:0]      passed;  // not empty
+    logic [SLOTS_LOG2-1:0] slot;
+    logic [INDEX_BITS-1:0] index;
+  } depth_passed_t;
 endpackage

@@ -21,3 +21,6 @@ hs_wide_product.sv
 hs_gradient_axis.sv
 hs_gradient.sv
 hs_tile_plane.sv
+hs_slot_memory.sv
+hs_multiples.sv
+hs_depth_test.sv

@@ -4,3 +4,4 @@ hs_tile_traversal_checker.sv
 hs_coverage_checker.sv
 hs_gradient_checker.sv
 hs_tile_plane_checker.sv
+hs_depth_test_checker.sv

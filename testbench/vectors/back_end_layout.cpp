@@ -9,6 +9,8 @@ namespace halfspace {
 namespace {
 
 constexpr int kUnitBits = 32;
+constexpr int kSlotBits = 9;
+constexpr int kIndexBits = 7;
 
 // From a vertex to the centre of pixel (0, 0): hs_pkg::CENTRE_BITS.
 int centre_bits(const Config& config) {
@@ -66,6 +68,30 @@ Layout tile_plane_out_layout(int planes) {
   return layout;
 }
 
+Layout depth_state_layout(const Config& config) {
+  return {{"less", 1, false},
+          {"equal", 1, false},
+          {"greater", 1, false},
+          {"clear", config.depth_bits, false}};
+}
+
+Layout depth_tile_layout(const Config& config) {
+  Layout layout;
+  for (const char* name : {"plane.base", "plane.dx", "plane.dy"}) {
+    layout.push_back({name, kUnitBits, false});
+  }
+  layout.push_back({"mask", config.lanes(), false});
+  layout.push_back({"slot", kSlotBits, false});
+  layout.push_back({"fresh", 1, false});
+  layout.push_back({"index", kIndexBits, false});
+  return layout;
+}
+
+Layout depth_passed_layout(const Config& config) {
+  return {
+      {"passed", config.lanes(), false}, {"slot", kSlotBits, false}, {"index", kIndexBits, false}};
+}
+
 Values values_of(const GradientInput& input) {
   return {input.value[0], input.value[1], input.value[2],   input.first,
           input.slope0.a, input.slope0.b, input.slope2.a,   input.slope2.b,
@@ -78,5 +104,10 @@ Values values_of(const CornerPlane& plane) {
 }
 
 Values values_of(const TilePlane& plane) { return {plane.base, plane.dx, plane.dy}; }
+
+Values values_of(const DepthState& state, const Config& config) {
+  const unsigned lets = passing(state.function);
+  return {lets & 1, lets >> 1 & 1, lets >> 2, state.cleared(config)};
+}
 
 }  // namespace halfspace

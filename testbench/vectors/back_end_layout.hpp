@@ -3,6 +3,7 @@
 // The packed structs of the back end in rtl/hs_pkg.sv by their fields.
 #pragma once
 
+#include "depth.hpp"
 #include "layout.hpp"
 
 namespace halfspace {
@@ -25,8 +26,15 @@ Layout corner_plane_layout(const Config& config);
 Layout tile_plane_in_layout(int planes, const Config& config);
 Layout tile_plane_out_layout(int planes);
 
+// How depths are compared, a tile to test, and its lanes that passed: hs_pkg::depth_state_t,
+// depth_tile_t, depth_passed_t.
+Layout depth_state_layout(const Config& config);
+Layout depth_tile_layout(const Config& config);
+Layout depth_passed_layout(const Config& config);
+
 Values values_of(const GradientInput& input);
 Values values_of(const CornerPlane& plane);
 Values values_of(const TilePlane& plane);
+Values values_of(const DepthState& state, const Config& config);
 
 }  // namespace halfspace

@@ -20,6 +20,8 @@ class StageRtl {
   virtual void reset(int clocks) = 0;
   // triangle_setup only; stable while busy().
   virtual void set_frame(const FrameState& frame) = 0;
+  // state_i, of depth_test only; stable while busy().
+  virtual void set_state(const PortWords& state) = 0;
 
   // Inputs of the coming clock edge: a packet (null: none), and whether the output is taken.
   virtual void drive(const PortWords* packet, bool ready) = 0;
@@ -46,6 +48,7 @@ std::span<const StageVariant> triangle_setup_stages();
 std::span<const StageVariant> tile_traversal_stages();
 std::span<const StageVariant> coverage_stages();
 std::span<const StageVariant> tile_plane_stages();
+std::span<const StageVariant> depth_test_stages();
 
 // hs_half_plane_grid: a register in front of logic, no handshake.
 class GridRtl {

@@ -30,6 +30,8 @@ decltype(auto) output_port(Top& top) {
     return (top.node_o);
   } else if constexpr (requires { top.coverage_o; }) {
     return (top.coverage_o);
+  } else if constexpr (requires { top.passed_o; }) {
+    return (top.passed_o);
   } else {
     return (top.plane_o);
   }
@@ -55,6 +57,9 @@ class StageModel final : public StageRtl {
     if constexpr (requires { top_.frame_i; }) {
       set_port(top_.frame_i, pack(values_of(frame), frame_layout(config_)).data());
     }
+  }
+  void set_state(const PortWords& state) override {
+    if constexpr (requires { top_.state_i; }) set_port(top_.state_i, state.data());
   }
   void drive(const PortWords* packet, bool ready) override {
     top_.valid_i = packet != nullptr;

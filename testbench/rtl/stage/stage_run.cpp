@@ -212,6 +212,11 @@ StageClocks tile_plane_clocks(const std::vector<StagePacket>& packets, const Sta
   return register_clocks(packets, stalls, 3);
 }
 
+StageClocks depth_test_clocks(const std::vector<StagePacket>& packets, const StageVariant&,
+                              const Stalls& stalls) {
+  return register_clocks(packets, stalls, 4);
+}
+
 std::string compare_stage(StageRtl& rtl, const StageVariant& variant, const StageRun& run,
                           const std::vector<StagePacket>& packets, const Stalls& stalls,
                           int resets) {

@@ -32,6 +32,7 @@ StageClocks tile_traversal_clocks(const std::vector<StagePacket>&, const StageVa
                                   const Stalls&);
 StageClocks coverage_clocks(const std::vector<StagePacket>&, const StageVariant&, const Stalls&);
 StageClocks tile_plane_clocks(const std::vector<StagePacket>&, const StageVariant&, const Stalls&);
+StageClocks depth_test_clocks(const std::vector<StagePacket>&, const StageVariant&, const Stalls&);
 
 struct StageRun {
   StageTiming timing;
