@@ -193,7 +193,7 @@ package hs_pkg;
   localparam int PLANE_BITS = UNIT_BITS + GRADIENT_BITS + POSITION_BITS;
   localparam int PLANE_SLOPE_BITS = UNIT_BITS + GRADIENT_BITS + (SAMPLES == 1 ? 0 : 4);
   // From a vertex to the centre of pixel (0, 0), S.f px.
-  localparam int CENTRE_BITS = HAS_GUARD_BAND ? K + POSITION_BITS + 2 : N + POSITION_BITS + 1;
+  localparam int CENTRE_BITS = (HAS_GUARD_BAND ? K : N) + POSITION_BITS + 2;
   localparam int AREA_RECIPROCAL_BITS = 32;
   localparam int LENGTH_BITS = 6;  // a doubled area has 1..62 bits
   localparam int TILE_BITS = N > GRID_LOG2 ? N - GRID_LOG2 : 1;  // a tile's column or row
@@ -211,15 +211,46 @@ package hs_pkg;
     edge_slope_t                     slope2;
     logic signed [CENTRE_BITS-1:0]   x;       // from that vertex to the centre of pixel (0, 0)
     logic signed [CENTRE_BITS-1:0]   y;
-    logic [AREA_RECIPROCAL_BITS-1:0] reciprocal;
     logic [LENGTH_BITS-1:0]          length;  // of the doubled area, bits
+    logic [AREA_RECIPROCAL_BITS-1:0] reciprocal;
   } gradient_t;
+  localparam int GRADIENT_BASE_BITS =  // without the reciprocal
+      3 * UNIT_BITS + 2 + 4 * DELTA_BITS + 2 * CENTRE_BITS + LENGTH_BITS;
 
   typedef struct packed {
     logic [PLANE_BITS-1:0]       at_pixel0;  // S.(F+f) units
     logic [PLANE_SLOPE_BITS-1:0] dx;         // S.F units / px
     logic [PLANE_SLOPE_BITS-1:0] dy;
   } corner_plane_t;
+
+  // What a triangle's planes take of its setup, and its depths.
+  typedef struct packed {
+    logic [AREA_BITS-2:0]        area;    // doubled, above 0
+    edge_slope_t                 slope0;  // oriented
+    edge_slope_t                 slope2;
+    point_t                      vertex0;
+    point_t                      vertex1;
+    point_t                      vertex2;
+    logic signed [UNIT_BITS-1:0] depth0;  // units
+    logic signed [UNIT_BITS-1:0] depth1;
+    logic signed [UNIT_BITS-1:0] depth2;
+    logic [INDEX_BITS-1:0]       index;
+  } depth_setup_t;
+
+  // What all planes of a triangle share.
+  typedef struct packed {
+    logic [AREA_RECIPROCAL_BITS-1:0] reciprocal;
+    logic [LENGTH_BITS-1:0]          length;
+    logic [1:0]                      first;
+    logic signed [CENTRE_BITS-1:0]   x;
+    logic signed [CENTRE_BITS-1:0]   y;
+    logic [INDEX_BITS-1:0]           index;
+  } triangle_area_t;
+
+  typedef struct packed {
+    corner_plane_t         plane;
+    logic [INDEX_BITS-1:0] index;
+  } triangle_depth_t;
 
   // One quantity over one tile, units, modulo 2^32: base + dx i + dy j in lane (i, j).
   typedef struct packed {

@@ -24,3 +24,5 @@ hs_tile_plane.sv
 hs_slot_memory.sv
 hs_multiples.sv
 hs_depth_test.sv
+hs_delay_memory.sv
+hs_depth_setup.sv

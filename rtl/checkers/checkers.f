@@ -5,3 +5,4 @@ hs_coverage_checker.sv
 hs_gradient_checker.sv
 hs_tile_plane_checker.sv
 hs_depth_test_checker.sv
+hs_depth_setup_checker.sv

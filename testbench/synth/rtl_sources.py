@@ -8,7 +8,8 @@ PRESETS = sorted(p.name for p in (RTL / "config").iterdir() if p.is_dir())
 TEST_CONFIGS = sorted(p.name for p in (ROOT / "testbench/rtl/config").iterdir() if p.is_dir())
 TOP = "hs_rasterizer"
 # Modules of the back end, which no top holds yet.
-BACK_END = ["hs_reciprocal", "hs_gradient", "hs_tile_plane", "hs_depth_test"]
+BACK_END = ["hs_reciprocal", "hs_gradient", "hs_tile_plane", "hs_depth_test",
+            "hs_depth_setup"]
 
 
 def listed(folder, name):

@@ -14,8 +14,8 @@ constexpr int kIndexBits = 7;
 
 // From a vertex to the centre of pixel (0, 0): hs_pkg::CENTRE_BITS.
 int centre_bits(const Config& config) {
-  return config.position_bits() +
-         (config.has_guard_band() ? config.guard_bits + 2 : config.viewport_bits + 1);
+  return config.position_bits() + 2 +
+         (config.has_guard_band() ? config.guard_bits : config.viewport_bits);
 }
 
 }  // namespace
@@ -29,8 +29,8 @@ Layout gradient_layout(const Config& config) {
   }
   layout.push_back({"x", centre_bits(config), true});
   layout.push_back({"y", centre_bits(config), true});
-  layout.push_back({"reciprocal", 32, false});
   layout.push_back({"length", 6, false});
+  layout.push_back({"reciprocal", 32, false});
   return layout;
 }
 
@@ -68,6 +68,35 @@ Layout tile_plane_out_layout(int planes) {
   return layout;
 }
 
+Layout depth_setup_layout(const Config& config) {
+  Layout layout{{"area", config.area_bits() - 1, false}};
+  for (const char* name : {"slope0.a", "slope0.b", "slope2.a", "slope2.b"}) {
+    layout.push_back({name, config.delta_bits(), true});
+  }
+  for (int i = 0; i < 3; ++i) {
+    layout.push_back({fmt::format("vertex{}.x", i), config.vertex_bits(), true});
+    layout.push_back({fmt::format("vertex{}.y", i), config.vertex_bits(), true});
+  }
+  for (int i = 0; i < 3; ++i) layout.push_back({fmt::format("depth{}", i), kUnitBits, true});
+  layout.push_back({"index", kIndexBits, false});
+  return layout;
+}
+
+Layout triangle_area_layout(const Config& config) {
+  return {{"reciprocal", 32, false},
+          {"length", 6, false},
+          {"first", 2, false},
+          {"x", centre_bits(config), true},
+          {"y", centre_bits(config), true},
+          {"index", kIndexBits, false}};
+}
+
+Layout triangle_depth_layout(const Config& config) {
+  Layout layout = corner_plane_layout(config);
+  layout.push_back({"index", kIndexBits, false});
+  return layout;
+}
+
 Layout depth_state_layout(const Config& config) {
   return {{"less", 1, false},
           {"equal", 1, false},
@@ -93,9 +122,9 @@ Layout depth_passed_layout(const Config& config) {
 }
 
 Values values_of(const GradientInput& input) {
-  return {input.value[0], input.value[1], input.value[2],   input.first,
-          input.slope0.a, input.slope0.b, input.slope2.a,   input.slope2.b,
-          input.centre.x, input.centre.y, input.reciprocal, input.length};
+  return {input.value[0], input.value[1], input.value[2], input.first,
+          input.slope0.a, input.slope0.b, input.slope2.a, input.slope2.b,
+          input.centre.x, input.centre.y, input.length,   input.reciprocal};
 }
 
 Values values_of(const CornerPlane& plane) {

@@ -26,6 +26,12 @@ Layout corner_plane_layout(const Config& config);
 Layout tile_plane_in_layout(int planes, const Config& config);
 Layout tile_plane_out_layout(int planes);
 
+// A triangle on its way to the plane of its depth, what its planes share, and that plane:
+// hs_pkg::depth_setup_t, triangle_area_t, triangle_depth_t.
+Layout depth_setup_layout(const Config& config);
+Layout triangle_area_layout(const Config& config);
+Layout triangle_depth_layout(const Config& config);
+
 // How depths are compared, a tile to test, and its lanes that passed: hs_pkg::depth_state_t,
 // depth_tile_t, depth_passed_t.
 Layout depth_state_layout(const Config& config);

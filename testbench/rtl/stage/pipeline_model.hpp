@@ -16,8 +16,10 @@ template <class Top>
 decltype(auto) pipeline_input(Top& top) {
   if constexpr (requires { top.mantissa_i; }) {
     return (top.mantissa_i);
-  } else {
+  } else if constexpr (requires { top.gradient_i; }) {
     return (top.gradient_i);
+  } else {
+    return (top.triangle_i);
   }
 }
 
@@ -30,7 +32,10 @@ decltype(auto) pipeline_output(Top& top) {
   }
 }
 
-template <class Top>
+// Which of two outputs is looked at: plane_o with valid_o, or area_o with area_valid_o.
+enum class PipelineOutput : std::uint8_t { kPlane, kArea };
+
+template <class Top, PipelineOutput output>
 class PipelineModel final : public PipelineRtl {
  public:
   PipelineModel() : top_(&context_, "stage") {
@@ -51,8 +56,13 @@ class PipelineModel final : public PipelineRtl {
     if constexpr (requires { top_.valid_i; }) top_.valid_i = packet != nullptr;
     top_.clk_i = 0;
     top_.eval();
-    std::optional<PortWords> out = port_words(pipeline_output(top_));
-    if constexpr (requires { top_.valid_o; }) {
+    std::optional<PortWords> out;
+    if constexpr (output == PipelineOutput::kArea) {
+      if (top_.area_valid_o) out = port_words(top_.area_o);
+    } else {
+      out = port_words(pipeline_output(top_));
+    }
+    if constexpr (output == PipelineOutput::kPlane && requires { top_.valid_o; }) {
       if (!top_.valid_o) out.reset();
     }
     edge();
@@ -73,9 +83,9 @@ class PipelineModel final : public PipelineRtl {
   Top top_;
 };
 
-template <class Top>
+template <class Top, PipelineOutput output = PipelineOutput::kPlane>
 std::unique_ptr<PipelineRtl> make_pipeline() {
-  return std::make_unique<PipelineModel<Top>>();
+  return std::make_unique<PipelineModel<Top, output>>();
 }
 
 }  // namespace halfspace

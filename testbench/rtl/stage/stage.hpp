@@ -87,5 +87,7 @@ struct PipelineVariant {
 };
 std::span<const PipelineVariant> reciprocal_stages();
 std::span<const PipelineVariant> gradient_stages();
+std::span<const PipelineVariant> depth_setup_stages();       // its planes
+std::span<const PipelineVariant> depth_setup_area_stages();  // what they share
 
 }  // namespace halfspace
