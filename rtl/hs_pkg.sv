@@ -184,6 +184,10 @@ package hs_pkg;
 `define HS_DEPTH_BITS 24
 `endif
   localparam int DEPTH_BITS = `HS_DEPTH_BITS;  // d
+`ifndef HS_RECIPROCAL_BITS
+`define HS_RECIPROCAL_BITS 16
+`endif
+  localparam int RECIPROCAL_BITS = `HS_RECIPROCAL_BITS;  // R
   localparam int SLOTS_LOG2 = 9;  // tiles of a window
   localparam int INDEX_BITS = 7;  // triangles in the back end at a time
 
@@ -280,4 +284,12 @@ package hs_pkg;
     logic [SLOTS_LOG2-1:0] slot;
     logic [INDEX_BITS-1:0] index;
   } depth_passed_t;
+
+  // What colours a tile; plane 0, in the lowest bits, is 1/w, then red, green, blue.
+  typedef struct packed {
+    logic [LANES-1:0]             passed;  // not empty
+    logic [SLOTS_LOG2-1:0]        slot;
+    logic [3*8-1:0]               level;   // red in the lowest bits
+    logic [4*TILE_PLANE_BITS-1:0] planes;
+  } shade_tile_t;
 endpackage

@@ -17,8 +17,8 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "testbench/synth"))
-from rtl_sources import (BACK_END, PRESETS, RTL, TEST_CONFIGS, TOP, checkers, config, design,
-                         yosys_read)
+from rtl_sources import (BACK_END, PRESETS, RTL, TEST_CONFIGS, TOP, back_end, back_end_checkers,
+                         checkers, config, design, yosys_read)
 from tool_versions import tool
 
 # What is read: the rasterizer in every configuration, each module of the back end in the presets.
@@ -72,14 +72,15 @@ class RtlLint(unittest.TestCase):
         for name, top in DESIGNS:
             with self.subTest(config=name, top=top):
                 self.run_tool(tool("verilator"), "--lint-only", "-Wall", "--assert",
-                              "--top-module", top, RTL / "hs_lint.vlt", config(name), *design(),
-                              *checkers())
+                              "--top-module", top, RTL / "hs_lint.vlt", config(name),
+                              *([*design(), *checkers()] if top == TOP else
+                                [*back_end(), *back_end_checkers()]))
         print(f"verilator: {SAID}")
 
     def test_yosys_finds_no_problem(self):
         for name, top in DESIGNS:
             with self.subTest(config=name, top=top):
-                self.run_tool(tool("yosys"), "-q", "-p",
+                self.run_tool(tool("yosys"), "-q", "-e", "implicitly declared", "-p",
                               f"{yosys_read(name, top)}; proc; check -assert")
         print(f"yosys: {SAID}")
 
@@ -98,14 +99,17 @@ class RtlLint(unittest.TestCase):
                 self.assertEqual((done.stdout, done.stderr), ("yosys yosys\n", note))
 
     def test_every_module_is_listed(self):
-        self.assertEqual(sorted(design()), sorted(RTL.glob("*.sv")))
-        self.assertEqual(sorted(checkers()), sorted((RTL / "checkers").glob("*.sv")))
+        self.assertEqual(sorted({*design(), *back_end()}), sorted(RTL.glob("*.sv")))
+        self.assertEqual(sorted({*checkers(), *back_end_checkers()}),
+                         sorted((RTL / "checkers").glob("*.sv")))
 
     def test_source_stays_in_the_subset(self):
         lines = 0
-        for path in design():
+        for path in {*design(), *back_end()}:
             for number, line in enumerate(path.read_text().splitlines(), 1):
                 lines += 1
+                if path.name == "hs_slot_memory.sv" and "memory [0:" in line:
+                    continue  # the one memory: an array of plain words, which yosys reads right
                 self.assertEqual(faults(line), [], f"{path.relative_to(ROOT)}:{number}: {line}")
         self.assertGreater(lines, 500)
         print(f"subset: {len(design())} files, {lines} lines, {len(BANNED) + 3} rules")

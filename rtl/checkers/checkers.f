@@ -2,7 +2,3 @@ hs_handshake_checker.sv
 hs_triangle_setup_checker.sv
 hs_tile_traversal_checker.sv
 hs_coverage_checker.sv
-hs_gradient_checker.sv
-hs_tile_plane_checker.sv
-hs_depth_test_checker.sv
-hs_depth_setup_checker.sv

@@ -57,6 +57,10 @@ constexpr Config with_gradient_bits(Config config, int bits) {
   return config;
 }
 
+constexpr Config with_reciprocal_bits(Config config, int bits) {
+  config.reciprocal_bits = bits;
+  return config;
+}
 constexpr Config with_depth_bits(Config config, int bits) {
   config.depth_bits = bits;
   return config;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 namespace halfspace {
 namespace {
@@ -119,6 +120,28 @@ Layout depth_tile_layout(const Config& config) {
 Layout depth_passed_layout(const Config& config) {
   return {
       {"passed", config.lanes(), false}, {"slot", kSlotBits, false}, {"index", kIndexBits, false}};
+}
+
+Layout shade_tile_layout(const Config& config) {
+  Layout layout{{"passed", config.lanes(), false}, {"slot", kSlotBits, false}};
+  for (int c = 2; c >= 0; --c) layout.push_back({fmt::format("level{}", c), 8, false});
+  for (int p = 3; p >= 0; --p) {
+    for (const char* name : {"base", "dx", "dy"}) {
+      layout.push_back({fmt::format("plane{}.{}", p, name), kUnitBits, false});
+    }
+  }
+  return layout;
+}
+
+Layout shade_group_layout(int fragments, const Config& config) {
+  const int groups = config.lanes() / fragments;
+  Layout layout{{"slot", kSlotBits, false},
+                {"group", std::countr_zero(static_cast<unsigned>(groups)), false},
+                {"mask", fragments, false}};
+  for (int k = fragments - 1; k >= 0; --k) {
+    for (int c = 2; c >= 0; --c) layout.push_back({fmt::format("color{}.{}", k, c), 8, false});
+  }
+  return layout;
 }
 
 Values values_of(const GradientInput& input) {

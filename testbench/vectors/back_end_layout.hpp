@@ -38,6 +38,10 @@ Layout depth_state_layout(const Config& config);
 Layout depth_tile_layout(const Config& config);
 Layout depth_passed_layout(const Config& config);
 
+// A tile to shade, and one of its groups: hs_pkg::shade_tile_t, and hs_shade's group_o.
+Layout shade_tile_layout(const Config& config);
+Layout shade_group_layout(int fragments, const Config& config);
+
 Values values_of(const GradientInput& input);
 Values values_of(const CornerPlane& plane);
 Values values_of(const TilePlane& plane);

@@ -36,7 +36,7 @@ class StageRtl {
 };
 
 // A stage of a configuration. level: of the pyramid, for tile_traversal; planes side by side, for
-// tile_plane.
+// tile_plane; slots_log2, for depth_test; fragments of a group, for shade.
 struct StageVariant {
   const char* name;
   Config config;
@@ -49,6 +49,7 @@ std::span<const StageVariant> tile_traversal_stages();
 std::span<const StageVariant> coverage_stages();
 std::span<const StageVariant> tile_plane_stages();
 std::span<const StageVariant> depth_test_stages();
+std::span<const StageVariant> shade_stages();
 
 // hs_half_plane_grid: a register in front of logic, no handshake.
 class GridRtl {

@@ -32,6 +32,8 @@ decltype(auto) output_port(Top& top) {
     return (top.coverage_o);
   } else if constexpr (requires { top.passed_o; }) {
     return (top.passed_o);
+  } else if constexpr (requires { top.group_o; }) {
+    return (top.group_o);
   } else {
     return (top.plane_o);
   }
@@ -63,13 +65,16 @@ class StageModel final : public StageRtl {
   }
   void drive(const PortWords* packet, bool ready) override {
     top_.valid_i = packet != nullptr;
-    top_.ready_i = ready;
+    if constexpr (kHeldUp) top_.ready_i = ready;
     if (packet != nullptr) set_port(input_port(top_), packet->data());
     top_.clk_i = 0;
     top_.eval();
   }
   bool accepts() const override { return top_.valid_i && top_.ready_o; }
-  bool emits() const override { return top_.valid_o && top_.ready_i; }
+  bool emits() const override {
+    if constexpr (kHeldUp) return top_.valid_o && top_.ready_i;
+    return top_.valid_o;
+  }
   bool busy() const override { return top_.busy_o != 0; }
   PortWords out() const override { return port_words(output_port(top_)); }
   void clock() override {
@@ -80,6 +85,9 @@ class StageModel final : public StageRtl {
   }
 
  private:
+  // Nothing holds up the groups that leave shade.
+  static constexpr bool kHeldUp = requires(Top & top) { top.ready_i; };
+
   Config config_;
   VerilatedContext context_;
   mutable Top top_;

@@ -59,8 +59,9 @@ class Comparison {
       const bool emits = given_ < out.size() && model.emitted[given_] == clock;
       if (rtl_.emits() != emits) return where("output", given_) + values(emits, !emits);
       if (emits) {
-        const std::string difference =
-            first_difference(*out[given_], unpack(rtl_.out(), run_.out), run_.out);
+        Values rtl = unpack(rtl_.out(), run_.out);
+        if (run_.clean != nullptr) run_.clean(rtl);
+        const std::string difference = first_difference(*out[given_], rtl, run_.out);
         if (!difference.empty()) return where("output", given_) + difference;
         ++given_;
       }
@@ -215,6 +216,26 @@ StageClocks tile_plane_clocks(const std::vector<StagePacket>& packets, const Sta
 StageClocks depth_test_clocks(const std::vector<StagePacket>& packets, const StageVariant&,
                               const Stalls& stalls) {
   return register_clocks(packets, stalls, 4);
+}
+
+StageClocks shade_clocks(const std::vector<StagePacket>& packets, const StageVariant& variant,
+                         const Stalls& stalls) {
+  const int bits = variant.config.reciprocal_bits;
+  const auto registers = static_cast<std::uint64_t>(8 + (bits % 2 == 0 ? bits / 2 : bits));
+  StageClocks clocks;
+  Offers offers(stalls);
+  std::uint64_t free = 0;
+  for (const StagePacket& packet : packets) {
+    std::uint64_t t = std::max(offers.at(), free);
+    clocks.accepted.push_back(t);
+    offers.accepted(t);
+    for (std::size_t group = 0; group < packet.out.size(); ++group) {
+      clocks.emitted.push_back(++t + registers);
+    }
+    free = t;
+    clocks.ended.push_back(t + registers);
+  }
+  return clocks;
 }
 
 std::string compare_stage(StageRtl& rtl, const StageVariant& variant, const StageRun& run,
