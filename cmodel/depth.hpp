@@ -63,7 +63,7 @@ std::uint32_t depth_value(std::int32_t units, const Config& config);
 //   stored   the tile's depth buffer; replaced where the test passes
 //   return   lanes that passed, a subset of `covered`
 //
-// Cost: one add, one compare per lane. Twin: none yet in rtl/.
+// Cost: one add, one compare per lane. Twin: rtl/hs_depth_test.sv.
 GridMask depth_test(GridMask covered, const TilePlane& plane, DepthFunction function,
                     DepthTile& stored, const Config& config);
 

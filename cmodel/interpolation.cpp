@@ -43,7 +43,41 @@ std::int64_t over_w(std::int32_t value, std::int64_t inverse_w_units) {
   return (std::int64_t{value} * inverse_w_units + (std::int64_t{1} << (kShift - 1))) >> kShift;
 }
 
+constexpr int kUnitBits = 32;  // of a value at a sample
+
+std::uint64_t low_bits(std::uint64_t value, int bits) {
+  return value & (~std::uint64_t{0} >> (64 - bits));
+}
+
+std::uint64_t floor_mod(std::uint64_t value, int shift) {
+  return static_cast<std::uint64_t>(floor_shift(static_cast<std::int64_t>(value), shift));
+}
+
+// A gradient rounded to nearest units, halves up.
+std::uint32_t to_units(std::uint64_t gradient, int F) {
+  const std::uint64_t half = F > 0 ? std::uint64_t{1} << (F - 1) : 0;
+  return static_cast<std::uint32_t>(floor_mod(gradient + half, F));
+}
+
+// What a plane changes by from its origin to the centre of pixel (x, y), S.(F+f) units.
+std::uint64_t slopes_to_centre(const Plane& plane, Point origin, std::int32_t x, std::int32_t y,
+                               const Config& config) {
+  const int f = config.position_bits();
+  const auto distance = [&](std::int32_t pixel, std::int32_t vertex) {
+    return static_cast<std::uint64_t>((std::int64_t{pixel} << f) + (std::int64_t{1} << (f - 1)) -
+                                      (std::int64_t{vertex} << (f - config.subpixel_bits)));
+  };
+  return plane.dx * distance(x, origin.x) + plane.dy * distance(y, origin.y);
+}
+
 }  // namespace
+
+std::int64_t doubled_area(const SetupTriangle& setup) {
+  const std::int64_t cross = std::int64_t{setup.slope[0].a} * setup.slope[1].b -
+                             std::int64_t{setup.slope[0].b} * setup.slope[1].a;
+  // Negating both edges, as setup does, leaves its sign.
+  return setup.flipped ? -cross : cross;
+}
 
 AreaReciprocal area_reciprocal(std::int64_t area) {
   HS_CHECK(area > 0 && fits(area, 63));
@@ -57,10 +91,7 @@ InterpolationSetup interpolation_setup(const SetupTriangle& setup, const Triangl
                                        const std::array<VertexAttributes, 3>& attributes, int count,
                                        const Config& config) {
   HS_CHECK(count >= 0 && count <= config.attributes);
-  // The cross product of two edges; negating both, as setup does, leaves its sign.
-  const std::int64_t cross = std::int64_t{setup.slope[0].a} * setup.slope[1].b -
-                             std::int64_t{setup.slope[0].b} * setup.slope[1].a;
-  const AreaReciprocal area = area_reciprocal(setup.flipped ? -cross : cross);
+  const AreaReciprocal area = area_reciprocal(doubled_area(setup));
   const int inverse_w_shift = kPlaneBits - config.inverse_w_bits;
 
   InterpolationSetup out;
@@ -93,22 +124,30 @@ InterpolationSetup interpolation_setup(const SetupTriangle& setup, const Triangl
 
 TilePlane tile_plane(const Plane& plane, Point origin, std::int32_t x, std::int32_t y,
                      const Config& config) {
-  const int f = config.position_bits();
-  const int up = f - config.subpixel_bits;
-  // From the origin to the first pixel's centre, S.f px.
-  const auto distance = [f, up](std::int32_t pixel, std::int32_t vertex) {
-    return (std::int64_t{pixel} << f) + (std::int64_t{1} << (f - 1)) - (std::int64_t{vertex} << up);
-  };
-  const std::uint64_t sum = plane.dx * static_cast<std::uint64_t>(distance(x, origin.x)) +
-                            plane.dy * static_cast<std::uint64_t>(distance(y, origin.y));
-  const auto floor_mod = [](std::uint64_t value, int shift) {
-    return static_cast<std::uint64_t>(floor_shift(static_cast<std::int64_t>(value), shift));
-  };
+  const std::uint64_t sum = slopes_to_centre(plane, origin, x, y, config);
   const int F = config.gradient_bits;
-  const std::uint64_t half = F > 0 ? std::uint64_t{1} << (F - 1) : 0;
-  return {static_cast<std::uint32_t>(floor_mod(plane.at_origin + floor_mod(sum, f), F)),
-          static_cast<std::uint32_t>(floor_mod(plane.dx + half, F)),
-          static_cast<std::uint32_t>(floor_mod(plane.dy + half, F))};
+  return {static_cast<std::uint32_t>(
+              floor_mod(plane.at_origin + floor_mod(sum, config.position_bits()), F)),
+          to_units(plane.dx, F), to_units(plane.dy, F)};
+}
+
+CornerPlane corner_plane(const Plane& plane, Point origin, const Config& config) {
+  const int F = config.gradient_bits;
+  const int f = config.position_bits();
+  const std::uint64_t sum = slopes_to_centre(plane, origin, 0, 0, config);
+  const int slope_bits = kUnitBits + F + (config.samples == 1 ? 0 : 4);
+  return {low_bits((plane.at_origin << f) + sum, kUnitBits + F + f), low_bits(plane.dx, slope_bits),
+          low_bits(plane.dy, slope_bits)};
+}
+
+TilePlane tile_plane(const CornerPlane& plane, std::int32_t x, std::int32_t y,
+                     const Config& config) {
+  const int F = config.gradient_bits;
+  const int f = config.position_bits();
+  const std::uint64_t sum =
+      plane.dx * static_cast<std::uint64_t>(x) + plane.dy * static_cast<std::uint64_t>(y);
+  return {static_cast<std::uint32_t>(floor_mod(plane.at_pixel0 + (sum << f), F + f)),
+          to_units(plane.dx, F), to_units(plane.dy, F)};
 }
 
 std::uint32_t sample_delta(const Plane& plane, int sample, const Config& config) {

@@ -3,7 +3,8 @@
 // Depth and attributes as fixed-point planes: once per triangle, once per tile, then one addition
 // per lane. Formats, roundings and the proof of the error bound: docs/03_design/interpolation.md.
 // All sums are taken modulo a power of two: a plane's slope may not fit its register, its value at
-// a covered sample always does. Twin: none yet in rtl/ (host-side model of the planned stage).
+// a covered sample always does. Twin: rtl/hs_reciprocal.sv, rtl/hs_gradient.sv,
+// rtl/hs_tile_plane.sv.
 #pragma once
 
 #include <array>
@@ -34,12 +35,22 @@ struct AreaReciprocal {
   int shift = 0;             // 1 / area is about factor / 2^shift
 };
 
+// The triangle's doubled area, above 0: the cross product of two edges.
+std::int64_t doubled_area(const SetupTriangle& setup);
+
 // area above 0 and below 2^62: with L its bits and m the top 32 of them (zeros appended to a
 // narrower one), r = floor(2^64 / (2 m + 1)) and the shift is 32 + L.
 AreaReciprocal area_reciprocal(std::int64_t area);
 
 // A plane moved to the tile whose first pixel is (x, y). Cost: two products.
 TilePlane tile_plane(const Plane& plane, Point origin, std::int32_t x, std::int32_t y,
+                     const Config& config);
+
+// The same plane from the frame's first pixel on. Exact: the bits it drops reach no tile.
+CornerPlane corner_plane(const Plane& plane, Point origin, const Config& config);
+
+// tile_plane() of the Plane that it was made of, bit for bit.
+TilePlane tile_plane(const CornerPlane& plane, std::int32_t x, std::int32_t y,
                      const Config& config);
 
 // What to add to TilePlane::at() for sample m: its offset from the pixel's centre, in units, floor.

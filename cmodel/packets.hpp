@@ -198,4 +198,13 @@ using DepthTile = std::array<std::uint32_t, 64>;
 // shading to framebuffer: the colours of a tile's pixels; black where there is no fragment.
 using ColorTile = std::array<Rgb, 64>;
 
+// A Plane as the RTL hands it on: its start moved to the frame's first pixel, so that a tile needs
+// no product as wide as a gradient. F = gradient_bits, f = position_bits().
+struct CornerPlane {
+  std::uint64_t at_pixel0 = 0;  // S.(F+f) units at the centre of pixel (0, 0), modulo 2^(32+F+f)
+  std::uint64_t dx = 0;         // S.F units per pixel, modulo 2^(32+F), several samples 2^(36+F)
+  std::uint64_t dy = 0;
+  bool operator==(const CornerPlane&) const = default;
+};
+
 }  // namespace halfspace

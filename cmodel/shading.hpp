@@ -18,7 +18,7 @@ namespace halfspace {
 //
 // A pixel's colour is evaluated once: at its centre when the triangle covers every sample, else at
 // the first covered sample. Both lie in the triangle, so no attribute is ever extrapolated.
-// Cost: a reciprocal a fragment, a product a channel. Twin: none yet in rtl/.
+// Cost: a reciprocal a fragment, a product a channel. Twin: rtl/hs_shade.sv, of one sample.
 ColorTile shading(const CoverageTile& tile, const SampleMasks& passed, const ShadingPlanes& planes,
                   int colors, const Config& config);
 

@@ -174,4 +174,122 @@ package hs_pkg;
     logic signed [VERTEX_BITS+VERTEX_HIGH_BITS-1:0] ji_high;  // x_j * high part of y_i
     logic signed [VERTEX_BITS+VERTEX_LOW_BITS-1:0]  ji_low;   // x_j * low part of y_i
   } edge_product_t;
+
+  // --- Back end: free values, until the configuration has fields for them -------------------------
+`ifndef HS_GRADIENT_BITS
+`define HS_GRADIENT_BITS 16
+`endif
+  localparam int GRADIENT_BITS = `HS_GRADIENT_BITS;  // F
+`ifndef HS_DEPTH_BITS
+`define HS_DEPTH_BITS 24
+`endif
+  localparam int DEPTH_BITS = `HS_DEPTH_BITS;  // d
+`ifndef HS_RECIPROCAL_BITS
+`define HS_RECIPROCAL_BITS 16
+`endif
+  localparam int RECIPROCAL_BITS = `HS_RECIPROCAL_BITS;  // R
+  localparam int SLOTS_LOG2 = 9;  // tiles of a window
+  localparam int INDEX_BITS = 7;  // triangles in the back end at a time
+
+  // --- Back end: widths ---------------------------------------------------------------------------
+  localparam int UNIT_BITS = 32;  // a value at a sample, in units, modulo 2^32
+  // The value at pixel (0, 0), S.(F+f) units; and what of a slope, S.F units / px, later sums use.
+  localparam int PLANE_BITS = UNIT_BITS + GRADIENT_BITS + POSITION_BITS;
+  localparam int PLANE_SLOPE_BITS = UNIT_BITS + GRADIENT_BITS + (SAMPLES == 1 ? 0 : 4);
+  // From a vertex to the centre of pixel (0, 0), S.f px.
+  localparam int CENTRE_BITS = (HAS_GUARD_BAND ? K : N) + POSITION_BITS + 2;
+  localparam int AREA_RECIPROCAL_BITS = 32;
+  localparam int LENGTH_BITS = 6;  // a doubled area has 1..62 bits
+  localparam int TILE_BITS = N > GRID_LOG2 ? N - GRID_LOG2 : 1;  // a tile's column or row
+  localparam int CORNER_PLANE_BITS = PLANE_BITS + 2 * PLANE_SLOPE_BITS;
+  localparam int TILE_PLANE_BITS = 3 * UNIT_BITS;
+
+  // --- Back end: packets --------------------------------------------------------------------------
+  // One quantity of one triangle, and what its plane takes of the triangle.
+  typedef struct packed {
+    logic signed [UNIT_BITS-1:0]     value0;  // units, at each vertex; less than 2^31 apart
+    logic signed [UNIT_BITS-1:0]     value1;
+    logic signed [UNIT_BITS-1:0]     value2;
+    logic [1:0]                      first;   // 0..2: the vertex that the plane starts at
+    edge_slope_t                     slope0;
+    edge_slope_t                     slope2;
+    logic signed [CENTRE_BITS-1:0]   x;       // from that vertex to the centre of pixel (0, 0)
+    logic signed [CENTRE_BITS-1:0]   y;
+    logic [LENGTH_BITS-1:0]          length;  // of the doubled area, bits
+    logic [AREA_RECIPROCAL_BITS-1:0] reciprocal;
+  } gradient_t;
+  localparam int GRADIENT_BASE_BITS =  // without the reciprocal
+      3 * UNIT_BITS + 2 + 4 * DELTA_BITS + 2 * CENTRE_BITS + LENGTH_BITS;
+
+  typedef struct packed {
+    logic [PLANE_BITS-1:0]       at_pixel0;  // S.(F+f) units
+    logic [PLANE_SLOPE_BITS-1:0] dx;         // S.F units / px
+    logic [PLANE_SLOPE_BITS-1:0] dy;
+  } corner_plane_t;
+
+  // What a triangle's planes take of its setup, and its depths.
+  typedef struct packed {
+    logic [AREA_BITS-2:0]        area;    // doubled, above 0
+    edge_slope_t                 slope0;  // oriented
+    edge_slope_t                 slope2;
+    point_t                      vertex0;
+    point_t                      vertex1;
+    point_t                      vertex2;
+    logic signed [UNIT_BITS-1:0] depth0;  // units
+    logic signed [UNIT_BITS-1:0] depth1;
+    logic signed [UNIT_BITS-1:0] depth2;
+    logic [INDEX_BITS-1:0]       index;
+  } depth_setup_t;
+
+  // What all planes of a triangle share.
+  typedef struct packed {
+    logic [AREA_RECIPROCAL_BITS-1:0] reciprocal;
+    logic [LENGTH_BITS-1:0]          length;
+    logic [1:0]                      first;
+    logic signed [CENTRE_BITS-1:0]   x;
+    logic signed [CENTRE_BITS-1:0]   y;
+    logic [INDEX_BITS-1:0]           index;
+  } triangle_area_t;
+
+  typedef struct packed {
+    corner_plane_t         plane;
+    logic [INDEX_BITS-1:0] index;
+  } triangle_depth_t;
+
+  // One quantity over one tile, units, modulo 2^32: base + dx i + dy j in lane (i, j).
+  typedef struct packed {
+    logic [UNIT_BITS-1:0] base;
+    logic [UNIT_BITS-1:0] dx;
+    logic [UNIT_BITS-1:0] dy;
+  } tile_plane_t;
+
+  // How depths begin and are compared: stable for a whole frame.
+  typedef struct packed {
+    logic                  less;     // a lane passes whose depth is less than the stored one
+    logic                  equal;
+    logic                  greater;
+    logic [DEPTH_BITS-1:0] clear;    // of a tile that nothing was tested in yet
+  } depth_state_t;
+
+  typedef struct packed {
+    tile_plane_t           plane;
+    logic [LANES-1:0]      mask;   // lanes to test; their values are in -2^30..2^31 - 2^30 units
+    logic [SLOTS_LOG2-1:0] slot;
+    logic                  fresh;  // the first tile of this slot
+    logic [INDEX_BITS-1:0] index;  // of its triangle
+  } depth_tile_t;
+
+  typedef struct packed {
+    logic [LANES-1:0]      passed;  // not empty
+    logic [SLOTS_LOG2-1:0] slot;
+    logic [INDEX_BITS-1:0] index;
+  } depth_passed_t;
+
+  // What colours a tile; plane 0, in the lowest bits, is 1/w, then red, green, blue.
+  typedef struct packed {
+    logic [LANES-1:0]             passed;  // not empty
+    logic [SLOTS_LOG2-1:0]        slot;
+    logic [3*8-1:0]               level;   // red in the lowest bits
+    logic [4*TILE_PLANE_BITS-1:0] planes;
+  } shade_tile_t;
 endpackage

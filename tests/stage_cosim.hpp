@@ -28,10 +28,11 @@ inline constexpr StagePattern kStagePatterns[] = {{0, 1, 0}, {0.3, 2, 6}, {0.8, 
 // difference.
 inline void expect_same(const char* stage, const StageVariant& variant, const StageRun& run,
                         const std::vector<StagePacket>& packets, const FrameState& frame,
-                        std::uint64_t seed) {
+                        std::uint64_t seed, const PortWords& state = {}) {
   const std::unique_ptr<StageRtl> rtl = variant.make();
   for (const StagePattern& pattern : kStagePatterns) {
     rtl->set_frame(frame);
+    if (!state.empty()) rtl->set_state(state);
     const std::string difference = compare_stage(
         *rtl, variant, run, packets, Stalls(pattern.stall, pattern.seed), pattern.resets);
     ASSERT_EQ(difference, "") << "stage=" << stage << " config=" << variant.name

@@ -51,4 +51,19 @@ inline constexpr Config kTestFittedBand{.subpixel_bits = 3,
                                         .setup_interval = 3,
                                         .tag_bits = 6};
 
+// Other values of fields that the packages of configurations do not hold yet.
+constexpr Config with_gradient_bits(Config config, int bits) {
+  config.gradient_bits = bits;
+  return config;
+}
+
+constexpr Config with_reciprocal_bits(Config config, int bits) {
+  config.reciprocal_bits = bits;
+  return config;
+}
+constexpr Config with_depth_bits(Config config, int bits) {
+  config.depth_bits = bits;
+  return config;
+}
+
 }  // namespace halfspace

@@ -64,6 +64,8 @@ def luts(cells):
     """A row of the table from the cells of a part of the design."""
     row = {"lut4": cells.get("LUT4", 0), "ccu2c": cells.get("CCU2C", 0),
            "ff": cells.get("TRELLIS_FF", 0), "mult18": cells.get("MULT18X18D", 0)}
+    if "DP16KD" in cells:
+        row["dp16kd"] = cells["DP16KD"]
     row["luts"] = row["lut4"] + 2 * row["ccu2c"]
     return row
 
@@ -78,19 +80,19 @@ def module_cells(modules, name):
     return total
 
 
-def ecp5(preset, folder, keep):
+def ecp5(preset, folder, keep, top=TOP, parameters=()):
     out = folder / "stat.json"
     keep_stages = [f"setattr -mod -set keep_hierarchy 1 {s}" for s in STAGES] if keep else []
-    yosys([yosys_read(preset), *keep_stages, f"synth_ecp5 -top {TOP}", f"tee -o {out} stat -json"],
-          folder, "ecp5")
+    yosys([yosys_read(preset, top, parameters), *keep_stages, f"synth_ecp5 -top {top}",
+           f"tee -o {out} stat -json"], folder, "ecp5")
     text = out.read_text()
     stat = json.loads(text[text.index("{"):text.rindex("}") + 1])
     return {m.lstrip("\\"): body for m, body in stat["modules"].items()}, \
         luts(stat["design"]["num_cells_by_type"])
 
 
-def measure_flat(preset, folder):
-    return ecp5(preset, folder, keep=False)[1]
+def measure_flat(preset, folder, top=TOP, parameters=()):
+    return ecp5(preset, folder, False, top, parameters)[1]
 
 
 def measure_stages(preset, folder):
@@ -124,10 +126,10 @@ report_checks -path_delay max -format full_clock_expanded -fields {{net}}
 """
 
 
-def measure_asic(preset, folder):
+def measure_asic(preset, folder, top=TOP, parameters=()):
     netlist = folder / "netlist.v"
     area = yosys([
-        yosys_read(preset), f"synth -flatten -top {TOP} -run begin:check",
+        yosys_read(preset, top, parameters), f"synth -flatten -top {top} -run begin:check",
         f"dfflibmap -liberty {LIBERTY}", "opt",
         f"abc -D {int(1000 * CLOCK_NS)} -constr {CONSTRAINTS} -liberty {LIBERTY}",
         "setundef -zero", "splitnets -ports", "opt_clean -purge",
@@ -135,7 +137,7 @@ def measure_asic(preset, folder):
         f"write_verilog -noattr -noexpr {netlist}"], folder, "osu018")
     area = float(re.search(r"Chip area.*?: ([\d.]+)", (folder / "stat.txt").read_text())[1])
     script = folder / "timing.tcl"
-    script.write_text(TIMING.format(liberty=LIBERTY, netlist=netlist, top=TOP, clock=CLOCK_NS))
+    script.write_text(TIMING.format(liberty=LIBERTY, netlist=netlist, top=top, clock=CLOCK_NS))
     report = run(["sta", "-no_splash", "-exit", str(script)], folder / "timing.log")
     if "Error" in report:
         sys.exit(f"area: OpenSTA: {re.search('.*Error.*', report)[0]}")

@@ -28,8 +28,14 @@ decltype(auto) output_port(Top& top) {
     return (top.setup_o);
   } else if constexpr (requires { top.node_o; }) {
     return (top.node_o);
-  } else {
+  } else if constexpr (requires { top.coverage_o; }) {
     return (top.coverage_o);
+  } else if constexpr (requires { top.passed_o; }) {
+    return (top.passed_o);
+  } else if constexpr (requires { top.group_o; }) {
+    return (top.group_o);
+  } else {
+    return (top.plane_o);
   }
 }
 
@@ -54,15 +60,21 @@ class StageModel final : public StageRtl {
       set_port(top_.frame_i, pack(values_of(frame), frame_layout(config_)).data());
     }
   }
+  void set_state(const PortWords& state) override {
+    if constexpr (requires { top_.state_i; }) set_port(top_.state_i, state.data());
+  }
   void drive(const PortWords* packet, bool ready) override {
     top_.valid_i = packet != nullptr;
-    top_.ready_i = ready;
+    if constexpr (kHeldUp) top_.ready_i = ready;
     if (packet != nullptr) set_port(input_port(top_), packet->data());
     top_.clk_i = 0;
     top_.eval();
   }
   bool accepts() const override { return top_.valid_i && top_.ready_o; }
-  bool emits() const override { return top_.valid_o && top_.ready_i; }
+  bool emits() const override {
+    if constexpr (kHeldUp) return top_.valid_o && top_.ready_i;
+    return top_.valid_o;
+  }
   bool busy() const override { return top_.busy_o != 0; }
   PortWords out() const override { return port_words(output_port(top_)); }
   void clock() override {
@@ -73,6 +85,9 @@ class StageModel final : public StageRtl {
   }
 
  private:
+  // Nothing holds up the groups that leave shade.
+  static constexpr bool kHeldUp = requires(Top & top) { top.ready_i; };
+
   Config config_;
   VerilatedContext context_;
   mutable Top top_;

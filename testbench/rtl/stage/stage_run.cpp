@@ -59,8 +59,9 @@ class Comparison {
       const bool emits = given_ < out.size() && model.emitted[given_] == clock;
       if (rtl_.emits() != emits) return where("output", given_) + values(emits, !emits);
       if (emits) {
-        const std::string difference =
-            first_difference(*out[given_], unpack(rtl_.out(), run_.out), run_.out);
+        Values rtl = unpack(rtl_.out(), run_.out);
+        if (run_.clean != nullptr) run_.clean(rtl);
+        const std::string difference = first_difference(*out[given_], rtl, run_.out);
         if (!difference.empty()) return where("output", given_) + difference;
         ++given_;
       }
@@ -93,6 +94,27 @@ class Comparison {
   std::size_t taken_ = 0;
   std::size_t given_ = 0;
 };
+
+// A row of one-entry registers; a packet without a result ends in the last.
+StageClocks register_clocks(const std::vector<StagePacket>& packets, const Stalls& stalls,
+                            std::size_t registers) {
+  StageClocks clocks;
+  Offers offers(stalls);
+  std::vector<std::uint64_t> free(registers);
+  for (const StagePacket& packet : packets) {
+    std::uint64_t t = std::max(offers.at(), free[0]);
+    clocks.accepted.push_back(t);
+    offers.accepted(t);
+    for (std::size_t r = 1; r < registers; ++r) {
+      t = std::max(t + 1, free[r]);
+      free[r - 1] = t;
+    }
+    free.back() = packet.out.empty() ? t + 1 : stalls.next_ready(t + 1);
+    if (!packet.out.empty()) clocks.emitted.push_back(free.back());
+    clocks.ended.push_back(free.back());
+  }
+  return clocks;
+}
 
 }  // namespace
 
@@ -182,6 +204,36 @@ StageClocks coverage_clocks(const std::vector<StagePacket>& packets, const Stage
     free4 = packet.out.empty() ? t + 1 : stalls.next_ready(t + 1);
     if (!packet.out.empty()) clocks.emitted.push_back(free4);
     clocks.ended.push_back(free4);
+  }
+  return clocks;
+}
+
+StageClocks tile_plane_clocks(const std::vector<StagePacket>& packets, const StageVariant&,
+                              const Stalls& stalls) {
+  return register_clocks(packets, stalls, 3);
+}
+
+StageClocks depth_test_clocks(const std::vector<StagePacket>& packets, const StageVariant&,
+                              const Stalls& stalls) {
+  return register_clocks(packets, stalls, 4);
+}
+
+StageClocks shade_clocks(const std::vector<StagePacket>& packets, const StageVariant& variant,
+                         const Stalls& stalls) {
+  const int bits = variant.config.reciprocal_bits;
+  const auto registers = static_cast<std::uint64_t>(8 + (bits % 2 == 0 ? bits / 2 : bits));
+  StageClocks clocks;
+  Offers offers(stalls);
+  std::uint64_t free = 0;
+  for (const StagePacket& packet : packets) {
+    std::uint64_t t = std::max(offers.at(), free);
+    clocks.accepted.push_back(t);
+    offers.accepted(t);
+    for (std::size_t group = 0; group < packet.out.size(); ++group) {
+      clocks.emitted.push_back(++t + registers);
+    }
+    free = t;
+    clocks.ended.push_back(t + registers);
   }
   return clocks;
 }

@@ -31,11 +31,15 @@ StageClocks triangle_setup_clocks(const std::vector<StagePacket>&, const StageVa
 StageClocks tile_traversal_clocks(const std::vector<StagePacket>&, const StageVariant&,
                                   const Stalls&);
 StageClocks coverage_clocks(const std::vector<StagePacket>&, const StageVariant&, const Stalls&);
+StageClocks tile_plane_clocks(const std::vector<StagePacket>&, const StageVariant&, const Stalls&);
+StageClocks depth_test_clocks(const std::vector<StagePacket>&, const StageVariant&, const Stalls&);
+StageClocks shade_clocks(const std::vector<StagePacket>&, const StageVariant&, const Stalls&);
 
 struct StageRun {
   StageTiming timing;
   Layout in;
   Layout out;
+  void (*clean)(Values& rtl) = nullptr;  // clears what means nothing in a packet that came out
 };
 
 // Drives the packets through the RTL from reset on and compares. Empty when all is the same, else

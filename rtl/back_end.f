@@ -1,0 +1,14 @@
+hs_reciprocal.sv
+hs_delay.sv
+hs_wide_product.sv
+hs_gradient_axis.sv
+hs_gradient.sv
+hs_tile_plane.sv
+hs_slot_memory.sv
+hs_multiples.sv
+hs_depth_test.sv
+hs_delay_memory.sv
+hs_depth_setup.sv
+hs_small_product.sv
+hs_perspective.sv
+hs_shade.sv

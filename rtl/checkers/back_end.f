@@ -1,0 +1,4 @@
+hs_gradient_checker.sv
+hs_tile_plane_checker.sv
+hs_depth_test_checker.sv
+hs_depth_setup_checker.sv
