@@ -71,7 +71,7 @@ std::vector<BenchRow> run_bench(const BenchOptions& options);
 // was not run.
 std::string bench_table(const Machine& machine, const std::vector<BenchRow>& rows);
 
-// A JSON object: `machine`, and `rows`, a list.
+// The rows as a JSON list; each names the machine.
 std::string bench_json(const Machine& machine, const std::vector<BenchRow>& rows);
 
 }  // namespace halfspace

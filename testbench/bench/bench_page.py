@@ -108,7 +108,7 @@ def cycles(rows):
 def main():
     *inputs, page = map(pathlib.Path, sys.argv[1:])
     rows = Rows([row | {"run": run} for run, file in enumerate(inputs)
-                 for row in json.loads(file.read_text())["rows"]])
+                 for row in json.loads(file.read_text())])
     text = page.read_text()
     before, rest = text.split(BEGIN)
     after = rest.split(END)[1]

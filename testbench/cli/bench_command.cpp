@@ -70,7 +70,7 @@ Action add_bench_command(Command& program) {
   BenchOptions& o = request->options;
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
   if (cores > 1) o.threads.push_back(cores);
-  command->add_option("--out", request->out, "JSON of the machine and the rows to write");
+  command->add_option("--out", request->out, "JSON list of rows to write, each with the machine");
   command->add_option("--workload", o.workloads, "Workloads (default: all but the last four)")
       ->type_name("small|medium|large|fullscreen|sliver|teapot|bunny|million|quad|px32|px16|tile");
   command->add_option("--engine", o.engines, "Engines (default: all there are)")
