@@ -15,7 +15,7 @@ FAULTS = [
     ("tests/tile_traversal_cosim_test.cpp", None, None, "traversal_cosim_test.cpp: missing"),
     ("rtl/checkers/hs_tile_traversal_checker.sv", None, None, "traversal_checker.sv: missing"),
     ("rtl/hs_depth.sv", None, "module hs_depth; endmodule", "listed as lacking"),
-    ("cmodel/depth.hpp", "Twin: none yet in rtl/.", "", "names no twin"),
+    ("cmodel/scissor.hpp", "Twin: none yet in rtl/.", "", "names no twin"),
     ("cmodel/samples.hpp", "(SAMPLE_X,", "(sample_x,", "no sample_x there"),
     ("rtl/hs_coverage.sv", "halfspace::coverage()", "halfspace::cover()", "no cover there"),
     ("cmodel/half_plane_grid.hpp", "hs_box_range.sv", "hs_box_mask.sv", "no such file"),
